@@ -1,0 +1,72 @@
+! SPDX-License-Identifier: MIT
+
+!> What the program says and how it ends: data on standard output, one line on standard error,
+!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line.
+!>
+!> Output goes through C's library: gfortran's own units lose what a full or closed output refuses
+!> and say nothing, and Fortran 2008's `stop` prints its code.
+module furiko_cli_terminal
+   use, intrinsic :: iso_fortran_env, only : error_unit
+   use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char, c_null_ptr, c_ptr
+   implicit none
+   private
+   public :: put, finish, refuse
+
+
+   interface
+      function c_puts(line) result(stat) bind(c, name='puts')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: line(*)
+         integer(c_int) :: stat
+      end function c_puts
+
+      function c_fflush(stream) result(stat) bind(c, name='fflush')
+         import :: c_int, c_ptr
+         type(c_ptr), value :: stream
+         integer(c_int) :: stat
+      end function c_fflush
+
+      subroutine c_perror(message) bind(c, name='perror')
+         import :: c_char
+         character(kind=c_char), intent(in) :: message(*)
+      end subroutine c_perror
+
+      subroutine c_exit(code) bind(c, name='exit')
+         import :: c_int
+         integer(c_int), value :: code
+      end subroutine c_exit
+   end interface
+
+
+contains
+
+
+   !> Write one line to standard output.
+   subroutine put(line)
+      character(len=*), intent(in) :: line
+
+      if (c_puts(line // c_null_char) < 0) call give_up()
+   end subroutine put
+
+
+   !> Flush standard output: a full disk may show only now.
+   subroutine finish()
+      if (c_fflush(c_null_ptr) /= 0) call give_up()
+   end subroutine finish
+
+
+   !> Answer a bad command line; does not return.
+   subroutine refuse(message)
+      character(len=*), intent(in) :: message
+
+      write(error_unit, '(a)') message
+      call c_exit(2_c_int)
+   end subroutine refuse
+
+
+   subroutine give_up()
+      call c_perror('furiko: cannot write the output' // c_null_char)
+      call c_exit(1_c_int)
+   end subroutine give_up
+
+end module furiko_cli_terminal

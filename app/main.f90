@@ -1,0 +1,52 @@
+! SPDX-License-Identifier: MIT
+
+!> furiko [COMMAND] [OPTIONS]: one command for each question; without one, the table.
+program main
+   use furiko, only : furiko_version
+   use furiko_cli_arguments, only : argument_reader
+   use furiko_cli_table, only : table_command
+   use furiko_cli_terminal, only : finish, put, refuse
+   implicit none
+   character(len=*), parameter :: nl = new_line('a')
+   character(len=*), parameter :: help = &
+      'furiko [COMMAND] [OPTIONS]: elliptic functions and the exact pendulum' // nl // nl // &
+      '  table    the period of a pendulum against its amplitude (without a command, too)' // nl // &
+      nl // &
+      'furiko COMMAND --help tells more; furiko --version prints the version.'
+   type(argument_reader) :: arguments
+   character(len=:), allocatable :: command, word
+
+   command = 'table'
+   if (.not. arguments%done()) then
+      word = arguments%word()
+      if (index(word, '-') /= 1 .or. is_global(word)) then
+         command = word
+         call arguments%advance()
+      end if
+   end if
+
+   select case (command)
+   case ('table')
+      call table_command(arguments)
+   case ('-h', '--help', 'help')
+      call put(help)
+      call finish()
+   case ('--version')
+      call put('furiko ' // furiko_version)
+      call finish()
+   case default
+      call refuse("furiko: unknown command '" // command // "'; see furiko --help")
+   end select
+
+
+contains
+
+
+   !> Whether a word speaks to the program rather than to the table.
+   pure logical function is_global(word)
+      character(len=*), intent(in) :: word
+
+      is_global = any(word == [character(len=9) :: '-h', '--help', '--version'])
+   end function is_global
+
+end program main
