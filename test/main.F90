@@ -1,0 +1,58 @@
+! SPDX-License-Identifier: MIT
+
+!> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]
+program main
+   use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
+   use test_cli, only : collect_cli
+   use test_complete_dp, only : collect_complete_dp => collect_complete
+#ifdef __GFC_REAL_16__
+   use test_complete_qp, only : collect_complete_qp => collect_complete
+#endif
+   use test_complete_sp, only : collect_complete_sp => collect_complete
+   use test_double_word, only : collect_double_word
+   use test_fgsl, only : collect_fgsl
+   use test_table, only : collect_table
+   use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
+      testsuite_type, unittest_type
+   implicit none
+   type(testsuite_type), allocatable :: suites(:)
+   type(unittest_type), allocatable :: tests(:)
+   character(len=:), allocatable :: suite, test
+   integer :: failed, i, passed
+
+   suites = [ &
+      new_testsuite('table', collect_table), &
+      new_testsuite('cli', collect_cli), &
+      new_testsuite('double-word', collect_double_word), &
+      new_testsuite('complete-real32', collect_complete_sp), &
+      new_testsuite('complete-real64', collect_complete_dp), &
+#ifdef __GFC_REAL_16__
+      new_testsuite('complete-real128', collect_complete_qp), &
+#endif
+      new_testsuite('fgsl', collect_fgsl)]
+
+   call get_argument(1, suite)
+   call get_argument(2, test)
+   passed = 0
+   failed = 0
+   do i = 1, size(suites)
+      if (allocated(suite)) then
+         if (suites(i)%name /= suite) cycle
+      end if
+      write(error_unit, '(2a)') '# ', suites(i)%name
+      if (allocated(test)) then
+         call run_selected(suites(i)%collect, test, error_unit, failed)
+         if (failed < 0) error stop 'no such test'
+         passed = 1 - failed
+      else
+         call suites(i)%collect(tests)
+         passed = passed + size(tests) + failed
+         call run_testsuite(suites(i)%collect, error_unit, failed)
+         passed = passed - failed
+      end if
+   end do
+   if (passed + failed == 0) error stop 'no such suite'
+
+   write(output_unit, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
+   if (failed > 0) error stop 1
+end program main

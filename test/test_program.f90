@@ -1,0 +1,75 @@
+! SPDX-License-Identifier: MIT
+
+!> Runs the program that fpm built beside the tests, and brings back what it said.
+module test_program
+   implicit none
+   private
+   public :: run_program, run_shell, line_count
+
+
+contains
+
+
+   !> Run `furiko` with arguments (shell text, redirections too) and read its two outputs.
+   subroutine run_program(arguments, output, errors, code)
+      character(len=*), intent(in) :: arguments
+      character(len=:), allocatable, intent(out) :: output
+      character(len=:), allocatable, intent(out) :: errors
+      integer, intent(out) :: code
+
+      call run_shell('furiko ' // arguments, output, errors, code)
+   end subroutine run_program
+
+
+   !> Run a shell command, to which `furiko` is the program under test.
+   subroutine run_shell(command, output, errors, code)
+      character(len=*), intent(in) :: command
+      character(len=:), allocatable, intent(out) :: output
+      character(len=:), allocatable, intent(out) :: errors
+      integer, intent(out) :: code
+      character(len=:), allocatable :: folder, out_file, error_file
+
+      folder = test_folder()
+      out_file = folder // '/program.out'
+      error_file = folder // '/program.err'
+      call execute_command_line('furiko() { ' // folder // '/../app/furiko "$@"; }; { ' // command &
+         // '; } >' // out_file // ' 2>' // error_file // ' </dev/null', exitstat=code)
+      output = contents(out_file)
+      errors = contents(error_file)
+   end subroutine run_shell
+
+
+   !> Where the running test program lies: build/COMPILER_HASH/test
+   function test_folder() result(folder)
+      character(len=:), allocatable :: folder
+      integer :: length
+
+      call get_command_argument(0, length=length)
+      allocate(character(len=length) :: folder)
+      call get_command_argument(0, folder)
+      folder = folder(:index(folder, '/', back=.true.) - 1)
+   end function test_folder
+
+
+   function contents(file)
+      character(len=*), intent(in) :: file
+      character(len=:), allocatable :: contents
+      integer :: length, unit
+
+      open(newunit=unit, file=file, access='stream', form='unformatted', status='old', action='read')
+      inquire(unit, size=length)
+      allocate(character(len=length) :: contents)
+      read(unit) contents
+      close(unit)
+   end function contents
+
+
+   pure function line_count(text)
+      character(len=*), intent(in) :: text
+      integer :: line_count
+      integer :: i
+
+      line_count = count([(text(i:i) == new_line('a'), i=1, len(text))])
+   end function line_count
+
+end module test_program

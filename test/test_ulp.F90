@@ -1,0 +1,32 @@
+! SPDX-License-Identifier: MIT
+
+module test_ulp_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   include 'test_ulp.inc'
+end module test_ulp_sp
+
+
+module test_ulp_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   include 'test_ulp.inc'
+end module test_ulp_dp
+
+
+#ifdef __GFC_REAL_16__
+module test_ulp_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   include 'test_ulp.inc'
+end module test_ulp_qp
+#endif
+
+
+module test_ulp
+   use test_ulp_sp, only : ulps
+   use test_ulp_dp, only : ulps
+#ifdef __GFC_REAL_16__
+   use test_ulp_qp, only : ulps
+#endif
+   implicit none
+   private
+   public :: ulps
+end module test_ulp
