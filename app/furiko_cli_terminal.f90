@@ -16,23 +16,27 @@ module furiko_cli_terminal
    interface
       function c_puts(line) result(stat) bind(c, name='puts')
          import :: c_char, c_int
+         implicit none
          character(kind=c_char), intent(in) :: line(*)
          integer(c_int) :: stat
       end function c_puts
 
       function c_fflush(stream) result(stat) bind(c, name='fflush')
          import :: c_int, c_ptr
+         implicit none
          type(c_ptr), value :: stream
          integer(c_int) :: stat
       end function c_fflush
 
       subroutine c_perror(message) bind(c, name='perror')
          import :: c_char
+         implicit none
          character(kind=c_char), intent(in) :: message(*)
       end subroutine c_perror
 
       subroutine c_exit(code) bind(c, name='exit')
          import :: c_int
+         implicit none
          integer(c_int), value :: code
       end subroutine c_exit
    end interface

@@ -44,11 +44,13 @@ module fgsl
    interface
       function gsl_set_error_handler_off() bind(c)
          import :: c_funptr
+         implicit none
          type(c_funptr) :: gsl_set_error_handler_off
       end function gsl_set_error_handler_off
 
       function gsl_sf_ellint_kcomp(k, mode) bind(c, name='gsl_sf_ellint_Kcomp')
          import :: c_double, c_int
+         implicit none
          real(c_double), value :: k
          integer(c_int), value :: mode
          real(c_double) :: gsl_sf_ellint_kcomp
@@ -56,6 +58,7 @@ module fgsl
 
       function gsl_sf_ellint_kcomp_e(k, mode, result) bind(c, name='gsl_sf_ellint_Kcomp_e')
          import :: c_double, c_int, fgsl_sf_result
+         implicit none
          real(c_double), value :: k
          integer(c_int), value :: mode
          type(fgsl_sf_result), intent(out) :: result
@@ -64,6 +67,7 @@ module fgsl
 
       function gsl_sf_ellint_ecomp(k, mode) bind(c, name='gsl_sf_ellint_Ecomp')
          import :: c_double, c_int
+         implicit none
          real(c_double), value :: k
          integer(c_int), value :: mode
          real(c_double) :: gsl_sf_ellint_ecomp
@@ -71,6 +75,7 @@ module fgsl
 
       function gsl_sf_ellint_ecomp_e(k, mode, result) bind(c, name='gsl_sf_ellint_Ecomp_e')
          import :: c_double, c_int, fgsl_sf_result
+         implicit none
          real(c_double), value :: k
          integer(c_int), value :: mode
          type(fgsl_sf_result), intent(out) :: result

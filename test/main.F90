@@ -26,10 +26,10 @@ program main
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
-#ifdef __GFC_REAL_16__
-      new_testsuite('complete-real128', collect_complete_qp), &
-#endif
       new_testsuite('fgsl', collect_fgsl)]
+#ifdef __GFC_REAL_16__
+   suites = [suites, new_testsuite('complete-real128', collect_complete_qp)]
+#endif
 
    call get_argument(1, suite)
    call get_argument(2, test)

@@ -1,38 +1,47 @@
 ! SPDX-License-Identifier: MIT
 
 module test_complete_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, ieee_quiet_nan
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
+      ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
       ellipke_k, ellipke_m, ellipke_mc, period_ratio
    use test_ulp, only : ulps
-   use testdrive, only : check, error_type, new_unittest, unittest_type
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
    include 'test_complete.inc'
 end module test_complete_sp
 
 
 module test_complete_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, ieee_quiet_nan
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
+      ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
       ellipke_k, ellipke_m, ellipke_mc, period_ratio
    use test_ulp, only : ulps
-   use testdrive, only : check, error_type, new_unittest, unittest_type
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
    include 'test_complete.inc'
 end module test_complete_dp
 
 
 #ifdef __GFC_REAL_16__
 module test_complete_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, ieee_quiet_nan
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
+      ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
       ellipke_k, ellipke_m, ellipke_mc, period_ratio
    use test_ulp, only : ulps
-   use testdrive, only : check, error_type, new_unittest, unittest_type
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
    include 'test_complete.inc'
 end module test_complete_qp
 #endif

@@ -2,12 +2,16 @@
 
 module test_ulp_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   implicit none
+   private
    include 'test_ulp.inc'
 end module test_ulp_sp
 
 
 module test_ulp_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   implicit none
+   private
    include 'test_ulp.inc'
 end module test_ulp_dp
 
@@ -15,6 +19,8 @@ end module test_ulp_dp
 #ifdef __GFC_REAL_16__
 module test_ulp_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   implicit none
+   private
    include 'test_ulp.inc'
 end module test_ulp_qp
 #endif

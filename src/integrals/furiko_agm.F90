@@ -4,6 +4,8 @@
 module furiko_agm_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   implicit none
+   private
    include 'furiko_agm.inc'
 end module furiko_agm_sp
 
@@ -11,6 +13,8 @@ end module furiko_agm_sp
 module furiko_agm_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   implicit none
+   private
    include 'furiko_agm.inc'
 end module furiko_agm_dp
 
@@ -19,6 +23,8 @@ end module furiko_agm_dp
 module furiko_agm_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   implicit none
+   private
    include 'furiko_agm.inc'
 end module furiko_agm_qp
 #endif

@@ -7,6 +7,8 @@ module furiko_complete_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use furiko_agm_sp, only : agm
+   implicit none
+   private
    include 'furiko_complete.inc'
 end module furiko_complete_sp
 
@@ -16,6 +18,8 @@ module furiko_complete_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use furiko_agm_dp, only : agm
+   implicit none
+   private
    include 'furiko_complete.inc'
 end module furiko_complete_dp
 
@@ -26,6 +30,8 @@ module furiko_complete_qp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use furiko_agm_qp, only : agm
+   implicit none
+   private
    include 'furiko_complete.inc'
 end module furiko_complete_qp
 #endif

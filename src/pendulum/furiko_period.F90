@@ -5,6 +5,8 @@ module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use furiko_agm_sp, only : agm
+   implicit none
+   private
    include 'furiko_period.inc'
 end module furiko_period_sp
 
@@ -13,6 +15,8 @@ module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use furiko_agm_dp, only : agm
+   implicit none
+   private
    include 'furiko_period.inc'
 end module furiko_period_dp
 
@@ -22,6 +26,8 @@ module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use furiko_agm_qp, only : agm
+   implicit none
+   private
    include 'furiko_period.inc'
 end module furiko_period_qp
 #endif

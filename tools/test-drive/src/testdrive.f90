@@ -51,12 +51,14 @@ module testdrive
       !> A test
       subroutine test_interface(error)
          import :: error_type
+         implicit none
          type(error_type), allocatable, intent(out) :: error
       end subroutine test_interface
 
       !> Lists the tests of a suite
       subroutine collect_interface(testsuite)
          import :: unittest_type
+         implicit none
          type(unittest_type), allocatable, intent(out) :: testsuite(:)
       end subroutine collect_interface
    end interface
