@@ -9,6 +9,6 @@ program period
    real(wp) :: ratio(3)
 
    ratio = period_ratio([45, 90, 179]*pi/180)
-   print '(3f16.12)', ratio                               ! =>  1.039973343197 1.180340599016 3.901065160389
-   print '(3f9.5)', 2*pi*sqrt(length/gravity)*ratio       ! =>  2.08732  2.36905  7.82972
+   print '(3f16.12)', ratio                           ! =>  1.039973343197 1.180340599016 3.901065160389
+   print '(3f9.5)', 2*pi*sqrt(length/gravity)*ratio   ! =>  2.08732  2.36905  7.82979
 end program period
