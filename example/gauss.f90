@@ -6,6 +6,6 @@ program gauss
    use furiko, only : agm
    implicit none
 
-   print '(f9.7)', 1/agm(1.0_real32, sqrt(2.0_real32))     ! => 0.8346269
+   print '(f9.7)', 1/agm(1.0_real32, sqrt(2.0_real32))     ! => 0.8346268
    print '(f18.16)', 1/agm(1.0_real64, sqrt(2.0_real64))   ! => 0.8346268416740731
 end program gauss
