@@ -39,6 +39,9 @@ contains
       if (allocated(error)) return
       x = double_word(3.0_wp, 1.0e-20_wp) - double_word(3.0_wp, 1.0e-20_wp)
       call check(error, abs(x%hi) <= 0.0_wp .and. abs(x%lo) <= 0.0_wp)
+      if (allocated(error)) return
+      x = double_word(1.0_wp, 2.0_wp**(-54)) + double_word(-1.0_wp, 2.0_wp**(-110))
+      call check(error, abs(x%hi - 2.0_wp**(-54)) <= 0.0_wp .and. abs(x%lo - 2.0_wp**(-110)) <= 0.0_wp)
    end subroutine test_sum
 
 
