@@ -3,6 +3,7 @@
 !> Decimal numbers as people type them, kept exact: 179.999999 is not what a real makes of it.
 module furiko_cli_decimal
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use furiko_cli_number, only : exponent_mark, is_number
    use furiko_double_word, only : double_word, operator(-), operator(*), operator(/)
    implicit none
    private
@@ -24,32 +25,28 @@ module furiko_cli_decimal
 contains
 
 
-   !> Read [sign] digits [. digits] [e [sign] digits]. `valid` says whether text was that, with at
-   !> most 15 places and a magnitude below 1000.
+   !> Read a number; `valid` says whether text was one, with at most 15 places and a magnitude below
+   !> 1000.
    pure subroutine read_decimal(text, number, valid)
       character(len=*), intent(in) :: text
       type(decimal), intent(out) :: number
       logical, intent(out) :: valid
       character(len=:), allocatable :: figures
-      integer :: e, point, power, start, stat
+      integer :: mark, point, power, start, stat
 
       valid = .false.
+      if (.not. is_number(text)) return
+      mark = exponent_mark(text)
       power = 0
-      e = scan(text // 'e', 'eE')
-      if (e < len(text)) then
-         if (verify(text(e + 1:), '0123456789+-') > 0 .or. len(text) > e + 4) return
-         read(text(e + 1:), '(i4)', iostat=stat) power
-         if (stat /= 0) return
-      else if (e == len(text)) then
-         return
+      if (mark <= len(text)) then
+         read(text(mark + 1:), '(i20)', iostat=stat) power
+         if (stat /= 0 .or. abs(power) > 99) return
       end if
-
       start = 1
       if (scan(text, '+-') == 1) start = 2
-      point = scan(text(:e - 1) // '.', '.')
-      figures = text(start:point - 1) // text(point + 1:e - 1)
-      if (len(figures) == 0 .or. verify(figures, '0123456789') > 0) return
-      number%places = max(0, e - 1 - point) - power
+      point = scan(text(:mark - 1) // '.', '.')
+      figures = text(start:point - 1) // text(point + 1:mark - 1)
+      number%places = max(0, mark - 1 - point) - power
       if (number%places < 0) figures = figures // repeat('0', min(-number%places, most_figures))
       number%places = max(0, number%places)
       figures = figures(verify(figures // '1', '0'):)

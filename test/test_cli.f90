@@ -42,7 +42,7 @@ contains
          '  0.1    1.000000190385921' // nl // '  0.4    1.000003046182704' // nl // &
          '  0.7    1.000009328988258' // nl // '  1.0    1.000019038921006' // nl)
       if (allocated(error)) return
-      call run_program('--from=89.9995e0 --to 90 --step 5e-4 --format=text', output, errors, code)
+      call run_program('--from=89.9995d0 --to 90 --step 5e-4 --format=text', output, errors, code)
       call check(error, output, &
          ' 89.9995    1.180338245657652' // nl // ' 90.0000    1.180340599016096' // nl)
    end subroutine test_fractions
@@ -131,7 +131,7 @@ contains
          'nosuch', '--nosuch', 'table nosuch', 'table table', 'table --nosuch 3', 'table -x', &
          '--from', '--from=', '--to --step', '--format', '--format xml', '--format TEXT', &
          '--from abc', "--from ''", "--from ' 1'", '--from 1,5', '--from 1e', '--from e1', &
-         '--from 1..5', '--from .', '--from +-1', '--from 1e+-1', '--from 1d0', '--from 2*3', &
+         '--from 1..5', '--from .', '--from +-1', '--from 1e+-1', '--from 1f0', '--from 2*3', &
          '--from NaN', '--from inf', '--from 1e300', '--from 1e99999999999', '--from 0x10', &
          '--from 0.0000000000000001', '--from -1', '--to 180', '--to 180.0', '--to 999', '--to -0.5', &
          '--from 20 --to 10', '--from 179.5', '--step 0', '--step 0.0', '--step -1', '--step 1x']
