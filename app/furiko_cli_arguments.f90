@@ -2,9 +2,10 @@
 
 !> The words of the command line, one after the other; `--name=value` counts as two words.
 module furiko_cli_arguments
+   use furiko_cli_terminal, only : refuse
    implicit none
    private
-   public :: argument_reader
+   public :: argument_reader, value_of
 
 
    !> Walks the words: `word()` is the one it stands at, `advance` goes to the next.
@@ -56,6 +57,19 @@ contains
          self%index = self%index + 1
       end if
    end subroutine advance
+
+
+   !> The word that an option of a command takes.
+   function value_of(command, option, arguments) result(word)
+      character(len=*), intent(in) :: command
+      character(len=*), intent(in) :: option
+      type(argument_reader), intent(inout) :: arguments
+      character(len=:), allocatable :: word
+
+      if (arguments%done()) call refuse(command // ': ' // option // ' needs a value')
+      word = arguments%word()
+      call arguments%advance()
+   end function value_of
 
 
    !> Where `--name=value` has its equals sign; 0 for any other word.

@@ -3,7 +3,7 @@
 !> `furiko table`: how the period of a pendulum grows with its amplitude.
 module furiko_cli_table
    use, intrinsic :: iso_fortran_env, only : int64
-   use furiko_cli_arguments, only : argument_reader
+   use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_decimal, only : decimal, fixed, read_decimal, rescale, to_double_word, to_text
    use furiko_cli_terminal, only : finish, put, refuse
    use furiko_period_degrees, only : period_ratio_degrees
@@ -47,13 +47,13 @@ contains
             call finish()
             return
          case ('--from')
-            call read_amplitude(option, value_of(option, arguments), first)
+            call read_amplitude(option, value_of('furiko table', option, arguments), first)
          case ('--to')
-            call read_amplitude(option, value_of(option, arguments), last)
+            call read_amplitude(option, value_of('furiko table', option, arguments), last)
          case ('--step')
-            call read_step(option, value_of(option, arguments), step)
+            call read_step(option, value_of('furiko table', option, arguments), step)
          case ('--format')
-            form = value_of(option, arguments)
+            form = value_of('furiko table', option, arguments)
             if (all(form /= [character(len=4) :: 'text', 'csv', 'json'])) then
                call reject("--format '" // form // "' is none of text, csv, json")
             end if
@@ -63,18 +63,6 @@ contains
       end do
       call print_table(first, last, step, form)
    end subroutine table_command
-
-
-   !> The word that an option takes.
-   function value_of(option, arguments) result(word)
-      character(len=*), intent(in) :: option
-      type(argument_reader), intent(inout) :: arguments
-      character(len=:), allocatable :: word
-
-      if (arguments%done()) call reject(option // ' needs a value')
-      word = arguments%word()
-      call arguments%advance()
-   end function value_of
 
 
    subroutine read_amplitude(option, word, amplitude)

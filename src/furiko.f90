@@ -3,29 +3,43 @@
 !> Elliptic integrals and the exact pendulum: what a program `use`s.
 !>
 !> The argument's form is in the name, always: `_k` takes the modulus k, `_m` the parameter
-!> m = k^2, `_mc` the complementary parameter mc = 1 - m. All procedures are elemental and
-!> generic over real32, real64 and (where the compiler has it) real128.
+!> m = k^2, `_mc` the complementary parameter mc = 1 - m, `_alpha` the modular angle. n and phi stand
+!> before it. All procedures are elemental and generic over real32, real64 and (where the compiler
+!> has it) real128; arrays of rank 1 go to vectorised kernels under the same names.
 !>
-!> - Complete integrals: `print *, ellipk_m(0.25d0), ellipe_k(0.5)`, or both at once,
-!>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipke_k]].
+!> - Complete integrals K, E, B, D: `print *, ellipk_m(0.25d0), ellipe_k(0.5)`, K and E at once
+!>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipb_k]], [[ellipd_k]].
+!> - Incomplete integrals F, E, D: `ellipf_m(phi, m)`; see [[ellipf_k]], [[ellipeinc_k]], [[ellipdinc_k]].
+!> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]].
+!> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
 !> - The pendulum's period: `period_ratio(theta0)` times 2 pi sqrt(l/g); see [[period_ratio]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
-   use furiko_complete, only : ellipk_k, ellipk_m, ellipk_mc, ellipe_k, ellipe_m, ellipe_mc, &
-      ellipke_k, ellipke_m, ellipke_mc
+   use furiko_complete, only : ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, ellipe_k, ellipe_m, &
+      ellipe_mc, ellipe_alpha, ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha, ellipb_k, &
+      ellipb_m, ellipb_mc, ellipb_alpha, ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha
+   use furiko_incomplete, only : ellipf_k, ellipf_m, ellipf_mc, ellipeinc_k, ellipeinc_m, &
+      ellipeinc_mc, ellipdinc_k, ellipdinc_m, ellipdinc_mc
+   use furiko_third_kind, only : ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, &
+      ellippiinc_mc
+   use furiko_carlson, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
    use furiko_period, only : period_ratio
    implicit none
    private
    public :: furiko_version
    public :: agm
-   public :: ellipk_k, ellipk_m, ellipk_mc
-   public :: ellipe_k, ellipe_m, ellipe_mc
-   public :: ellipke_k, ellipke_m, ellipke_mc
+   public :: ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, ellipe_k, ellipe_m, ellipe_mc, &
+      ellipe_alpha, ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha, ellipb_k, ellipb_m, &
+      ellipb_mc, ellipb_alpha, ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha
+   public :: ellipf_k, ellipf_m, ellipf_mc, ellipeinc_k, ellipeinc_m, ellipeinc_mc, ellipdinc_k, &
+      ellipdinc_m, ellipdinc_mc
+   public :: ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, ellippiinc_mc
+   public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
    public :: period_ratio
 
 
    !> The library's version, by the rules of semver.org
-   character(len=*), parameter :: furiko_version = '0.1.0'
+   character(len=*), parameter :: furiko_version = '0.2.0'
 
 end module furiko

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: MIT
 
-!> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]
+!> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]; or the accuracy report:
+!> fpm test -- report FILE
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
+   use test_accuracy, only : collect_accuracy, write_report
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
 #ifdef __GFC_REAL_16__
@@ -11,6 +13,11 @@ program main
    use test_complete_sp, only : collect_complete_sp => collect_complete
    use test_double_word, only : collect_double_word
    use test_fgsl, only : collect_fgsl
+   use test_incomplete_dp, only : collect_incomplete_dp => collect_incomplete
+#ifdef __GFC_REAL_16__
+   use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
+#endif
+   use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -26,13 +33,24 @@ program main
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
+      new_testsuite('incomplete-real32', collect_incomplete_sp), &
+      new_testsuite('incomplete-real64', collect_incomplete_dp), &
+      new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
-   suites = [suites, new_testsuite('complete-real128', collect_complete_qp)]
+   suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
+      new_testsuite('incomplete-real128', collect_incomplete_qp)]
 #endif
 
    call get_argument(1, suite)
    call get_argument(2, test)
+   if (allocated(suite) .and. allocated(test)) then
+      if (suite == 'report') then
+         call write_report(test)
+         stop
+      end if
+   end if
+
    passed = 0
    failed = 0
    do i = 1, size(suites)

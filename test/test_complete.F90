@@ -5,9 +5,9 @@ module test_complete_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
-   use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
-      ellipke_k, ellipke_m, ellipke_mc, period_ratio
-   use test_ulp, only : ulps
+   use furiko, only : agm, ellipb_mc, ellipd_mc, ellipe_alpha, ellipe_k, ellipe_m, ellipe_mc, &
+      ellipk_alpha, ellipk_k, ellipk_m, ellipk_mc, ellipke_alpha, ellipke_k, ellipke_m, ellipke_mc, &
+      period_ratio
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private
@@ -20,9 +20,9 @@ module test_complete_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
-   use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
-      ellipke_k, ellipke_m, ellipke_mc, period_ratio
-   use test_ulp, only : ulps
+   use furiko, only : agm, ellipb_mc, ellipd_mc, ellipe_alpha, ellipe_k, ellipe_m, ellipe_mc, &
+      ellipk_alpha, ellipk_k, ellipk_m, ellipk_mc, ellipke_alpha, ellipke_k, ellipke_m, ellipke_mc, &
+      period_ratio
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private
@@ -36,9 +36,9 @@ module test_complete_qp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
       ieee_positive_inf, ieee_quiet_nan
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
-   use furiko, only : agm, ellipe_k, ellipe_m, ellipe_mc, ellipk_k, ellipk_m, ellipk_mc, &
-      ellipke_k, ellipke_m, ellipke_mc, period_ratio
-   use test_ulp, only : ulps
+   use furiko, only : agm, ellipb_mc, ellipd_mc, ellipe_alpha, ellipe_k, ellipe_m, ellipe_mc, &
+      ellipk_alpha, ellipk_k, ellipk_m, ellipk_mc, ellipke_alpha, ellipke_k, ellipke_m, ellipke_mc, &
+      period_ratio
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private

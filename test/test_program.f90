@@ -4,7 +4,7 @@
 module test_program
    implicit none
    private
-   public :: run_program, run_shell, line_count
+   public :: run_program, run_shell, line_count, test_folder
 
 
 contains

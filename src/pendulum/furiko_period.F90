@@ -3,8 +3,7 @@
 !> The period of the pendulum, in each kind of real; the text is in furiko_period.inc.
 module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use furiko_agm_sp, only : agm
+   use furiko_complete_sp, only : ellipk_alpha
    implicit none
    private
    include 'furiko_period.inc'
@@ -13,8 +12,7 @@ end module furiko_period_sp
 
 module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use furiko_agm_dp, only : agm
+   use furiko_complete_dp, only : ellipk_alpha
    implicit none
    private
    include 'furiko_period.inc'
@@ -24,8 +22,7 @@ end module furiko_period_dp
 #ifdef __GFC_REAL_16__
 module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use furiko_agm_qp, only : agm
+   use furiko_complete_qp, only : ellipk_alpha
    implicit none
    private
    include 'furiko_period.inc'

@@ -1,0 +1,189 @@
+! SPDX-License-Identifier: MIT
+
+!> The peers' C functions: GSL's (mode 0 is full double precision) and, through boost_peer.cpp,
+!> Boost's. Both take the modulus k; GSL's n has the opposite sign.
+module bench_peers
+   use, intrinsic :: iso_c_binding, only : c_double, c_int
+   implicit none
+   private
+   public :: gsl_k, boost_k
+   public :: gsl_e, boost_e
+   public :: gsl_d, boost_d
+   public :: gsl_pi, boost_pi
+   public :: gsl_f, boost_f
+   public :: gsl_einc, boost_einc
+   public :: gsl_dinc, boost_dinc
+   public :: gsl_piinc, boost_piinc
+   public :: gsl_rf, boost_rf
+   public :: gsl_rd, boost_rd
+   public :: gsl_rj, boost_rj
+
+
+   interface
+      function gsl_k(k, mode) result(value) bind(c, name='gsl_sf_ellint_Kcomp')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_k
+
+      function boost_k(k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: k
+         real(c_double) :: value
+      end function boost_k
+
+      function gsl_e(k, mode) result(value) bind(c, name='gsl_sf_ellint_Ecomp')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_e
+
+      function boost_e(k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: k
+         real(c_double) :: value
+      end function boost_e
+
+      function gsl_d(k, mode) result(value) bind(c, name='gsl_sf_ellint_Dcomp')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_d
+
+      function boost_d(k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: k
+         real(c_double) :: value
+      end function boost_d
+
+      function gsl_pi(k, n, mode) result(value) bind(c, name='gsl_sf_ellint_Pcomp')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: k, n
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_pi
+
+      function boost_pi(k, n) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: k, n
+         real(c_double) :: value
+      end function boost_pi
+
+      function gsl_f(phi, k, mode) result(value) bind(c, name='gsl_sf_ellint_F')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_f
+
+      function boost_f(phi, k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: phi, k
+         real(c_double) :: value
+      end function boost_f
+
+      function gsl_einc(phi, k, mode) result(value) bind(c, name='gsl_sf_ellint_E')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_einc
+
+      function boost_einc(phi, k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: phi, k
+         real(c_double) :: value
+      end function boost_einc
+
+      function gsl_dinc(phi, k, mode) result(value) bind(c, name='gsl_sf_ellint_D')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_dinc
+
+      function boost_dinc(phi, k) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: phi, k
+         real(c_double) :: value
+      end function boost_dinc
+
+      function gsl_piinc(phi, k, n, mode) result(value) bind(c, name='gsl_sf_ellint_P')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k, n
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_piinc
+
+      function boost_piinc(phi, k, n) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: phi, k, n
+         real(c_double) :: value
+      end function boost_piinc
+
+      function gsl_rf(x, y, z, mode) result(value) bind(c, name='gsl_sf_ellint_RF')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_rf
+
+      function boost_rf(x, y, z) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: x, y, z
+         real(c_double) :: value
+      end function boost_rf
+
+      function gsl_rd(x, y, z, mode) result(value) bind(c, name='gsl_sf_ellint_RD')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_rd
+
+      function boost_rd(x, y, z) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: x, y, z
+         real(c_double) :: value
+      end function boost_rd
+
+      function gsl_rj(x, y, z, p, mode) result(value) bind(c, name='gsl_sf_ellint_RJ')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z, p
+         integer(c_int), value :: mode
+         real(c_double) :: value
+      end function gsl_rj
+
+      function boost_rj(x, y, z, p) result(value) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: x, y, z, p
+         real(c_double) :: value
+      end function boost_rj
+   end interface
+
+end module bench_peers

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Boost's elliptic integrals for the benchmark, computed in double as ours and GSL's are; NaN where
+// Boost is not installed.
+#include <limits>
+
+#if __has_include(<boost/math/special_functions/ellint_1.hpp>)
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_3.hpp>
+#include <boost/math/special_functions/ellint_d.hpp>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/special_functions/ellint_rj.hpp>
+namespace peer = boost::math;
+static const peer::policies::policy<peer::policies::promote_double<false>> plain;
+#define PEER(value) value
+#else
+static const double absent = std::numeric_limits<double>::quiet_NaN();
+#define PEER(value) absent
+#endif
+
+extern "C" {
+double boost_k(double k) { return PEER(peer::ellint_1(k, plain)); }
+double boost_e(double k) { return PEER(peer::ellint_2(k, plain)); }
+double boost_d(double k) { return PEER(peer::ellint_d(k, plain)); }
+double boost_pi(double k, double n) { return PEER(peer::ellint_3(k, n, plain)); }
+double boost_f(double phi, double k) { return PEER(peer::ellint_1(k, phi, plain)); }
+double boost_einc(double phi, double k) { return PEER(peer::ellint_2(k, phi, plain)); }
+double boost_dinc(double phi, double k) { return PEER(peer::ellint_d(k, phi, plain)); }
+double boost_piinc(double phi, double k, double n) { return PEER(peer::ellint_3(k, n, phi, plain)); }
+double boost_rf(double x, double y, double z) { return PEER(peer::ellint_rf(x, y, z, plain)); }
+double boost_rd(double x, double y, double z) { return PEER(peer::ellint_rd(x, y, z, plain)); }
+double boost_rj(double x, double y, double z, double p) { return PEER(peer::ellint_rj(x, y, z, p, plain)); }
+}

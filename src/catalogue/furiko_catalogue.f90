@@ -1,0 +1,112 @@
+! SPDX-License-Identifier: MIT
+
+!> The library's functions by name: what `furiko eval --list` shows.
+module furiko_catalogue
+   implicit none
+   private
+   public :: catalogue, catalogue_entry, find_entry, argument_count, result_count
+
+
+   !> A function of real arguments
+   type :: catalogue_entry
+      !> As in Fortran
+      character(len=16) :: name
+      !> Its arguments' symbols, in order
+      character(len=12) :: arguments
+      !> Its results' symbols
+      character(len=5) :: results
+      !> What it is
+      character(len=52) :: about
+   end type catalogue_entry
+
+
+   !> Angles (phi, alpha, amplitude) are in radians; n is the characteristic of the third kind, in
+   !> DLMF's sign.
+   type(catalogue_entry), parameter :: catalogue(*) = [ &
+      catalogue_entry('agm', 'a b', 'M', 'arithmetic-geometric mean'), &
+      catalogue_entry('ellipk_k', 'k', 'K', 'complete, first kind'), &
+      catalogue_entry('ellipk_m', 'm', 'K', 'complete, first kind'), &
+      catalogue_entry('ellipk_mc', 'mc', 'K', 'complete, first kind'), &
+      catalogue_entry('ellipk_alpha', 'alpha', 'K', 'complete, first kind'), &
+      catalogue_entry('ellipe_k', 'k', 'E', 'complete, second kind'), &
+      catalogue_entry('ellipe_m', 'm', 'E', 'complete, second kind'), &
+      catalogue_entry('ellipe_mc', 'mc', 'E', 'complete, second kind'), &
+      catalogue_entry('ellipe_alpha', 'alpha', 'E', 'complete, second kind'), &
+      catalogue_entry('ellipke_k', 'k', 'K E', 'the two together'), &
+      catalogue_entry('ellipke_m', 'm', 'K E', 'the two together'), &
+      catalogue_entry('ellipke_mc', 'mc', 'K E', 'the two together'), &
+      catalogue_entry('ellipke_alpha', 'alpha', 'K E', 'the two together'), &
+      catalogue_entry('ellipb_k', 'k', 'B', 'complete, (E - mc K)/m'), &
+      catalogue_entry('ellipb_m', 'm', 'B', 'complete, (E - mc K)/m'), &
+      catalogue_entry('ellipb_mc', 'mc', 'B', 'complete, (E - mc K)/m'), &
+      catalogue_entry('ellipb_alpha', 'alpha', 'B', 'complete, (E - mc K)/m'), &
+      catalogue_entry('ellipd_k', 'k', 'D', 'complete, (K - E)/m'), &
+      catalogue_entry('ellipd_m', 'm', 'D', 'complete, (K - E)/m'), &
+      catalogue_entry('ellipd_mc', 'mc', 'D', 'complete, (K - E)/m'), &
+      catalogue_entry('ellipd_alpha', 'alpha', 'D', 'complete, (K - E)/m'), &
+      catalogue_entry('ellippi_k', 'n k', 'Pi', 'complete, third kind'), &
+      catalogue_entry('ellippi_m', 'n m', 'Pi', 'complete, third kind'), &
+      catalogue_entry('ellippi_mc', 'n mc', 'Pi', 'complete, third kind'), &
+      catalogue_entry('ellipf_k', 'phi k', 'F', 'incomplete, first kind'), &
+      catalogue_entry('ellipf_m', 'phi m', 'F', 'incomplete, first kind'), &
+      catalogue_entry('ellipf_mc', 'phi mc', 'F', 'incomplete, first kind'), &
+      catalogue_entry('ellipeinc_k', 'phi k', 'E', 'incomplete, second kind'), &
+      catalogue_entry('ellipeinc_m', 'phi m', 'E', 'incomplete, second kind'), &
+      catalogue_entry('ellipeinc_mc', 'phi mc', 'E', 'incomplete, second kind'), &
+      catalogue_entry('ellipdinc_k', 'phi k', 'D', 'incomplete, (F - E)/m'), &
+      catalogue_entry('ellipdinc_m', 'phi m', 'D', 'incomplete, (F - E)/m'), &
+      catalogue_entry('ellipdinc_mc', 'phi mc', 'D', 'incomplete, (F - E)/m'), &
+      catalogue_entry('ellippiinc_k', 'n phi k', 'Pi', 'incomplete, third kind'), &
+      catalogue_entry('ellippiinc_m', 'n phi m', 'Pi', 'incomplete, third kind'), &
+      catalogue_entry('ellippiinc_mc', 'n phi mc', 'Pi', 'incomplete, third kind'), &
+      catalogue_entry('carlson_rf', 'x y z', 'RF', 'Carlson''s first kind'), &
+      catalogue_entry('carlson_rc', 'x y', 'RC', 'Carlson''s degenerate first kind'), &
+      catalogue_entry('carlson_rd', 'x y z', 'RD', 'Carlson''s second kind, degenerate third'), &
+      catalogue_entry('carlson_rj', 'x y z p', 'RJ', 'Carlson''s third kind'), &
+      catalogue_entry('carlson_rg', 'x y z', 'RG', 'Carlson''s second kind, symmetric'), &
+      catalogue_entry('period_ratio', 'amplitude', 'T/T_h', 'period of a pendulum over that of its small swings')]
+
+
+contains
+
+
+   !> The entry of a name; with a blank name where there is none.
+   elemental function find_entry(name) result(entry)
+      character(len=*), intent(in) :: name
+      type(catalogue_entry) :: entry
+      integer :: i
+
+      do i = 1, size(catalogue)
+         entry = catalogue(i)
+         if (entry%name == name) return
+      end do
+      entry%name = ''
+   end function find_entry
+
+
+   elemental function argument_count(entry)
+      type(catalogue_entry), intent(in) :: entry
+      integer :: argument_count
+
+      argument_count = word_count(entry%arguments)
+   end function argument_count
+
+
+   elemental function result_count(entry)
+      type(catalogue_entry), intent(in) :: entry
+      integer :: result_count
+
+      result_count = word_count(entry%results)
+   end function result_count
+
+
+   elemental function word_count(text)
+      character(len=*), intent(in) :: text
+      integer :: word_count
+      integer :: i
+
+      word_count = count([(text(i:i) /= ' ' .and. text(i + 1:i + 1) == ' ', i=1, len(text) - 1)])
+      if (text(len(text):) /= ' ') word_count = word_count + 1
+   end function word_count
+
+end module furiko_catalogue

@@ -1,0 +1,52 @@
+! SPDX-License-Identifier: MIT
+module furiko_incomplete_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_legendre_sp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_incomplete.inc'
+end module furiko_incomplete_sp
+
+module furiko_incomplete_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_legendre_dp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_incomplete.inc'
+end module furiko_incomplete_dp
+
+#ifdef __GFC_REAL_16__
+module furiko_incomplete_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_legendre_qp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_incomplete.inc'
+end module furiko_incomplete_qp
+#endif
+
+!> Legendre's incomplete integrals F, E and D for any real angle, in real32, real64 and real128.
+!> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.
+module furiko_incomplete
+   use furiko_incomplete_sp, only : &
+      ellipf_k, ellipf_m, ellipf_mc, &
+      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
+      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+   use furiko_incomplete_dp, only : &
+      ellipf_k, ellipf_m, ellipf_mc, &
+      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
+      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+#ifdef __GFC_REAL_16__
+   use furiko_incomplete_qp, only : &
+      ellipf_k, ellipf_m, ellipf_mc, &
+      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
+      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+#endif
+   implicit none
+   private
+
+   public :: &
+      ellipf_k, ellipf_m, ellipf_mc, &
+      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
+      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+end module furiko_incomplete

@@ -1,0 +1,48 @@
+! SPDX-License-Identifier: MIT
+module furiko_third_kind_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_legendre_sp, only : integral, complete_third, third, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_third_kind.inc'
+end module furiko_third_kind_sp
+
+module furiko_third_kind_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_legendre_dp, only : integral, complete_third, third, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_third_kind.inc'
+end module furiko_third_kind_dp
+
+#ifdef __GFC_REAL_16__
+module furiko_third_kind_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_legendre_qp, only : integral, complete_third, third, by_k, by_m, by_mc
+   implicit none
+   private
+   include 'furiko_third_kind.inc'
+end module furiko_third_kind_qp
+#endif
+
+!> Elliptic integrals of the third kind, complete and incomplete, in real32, real64 and real128.
+!> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.
+module furiko_third_kind
+   use furiko_third_kind_sp, only : &
+      ellippi_k, ellippi_m, ellippi_mc, &
+      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+   use furiko_third_kind_dp, only : &
+      ellippi_k, ellippi_m, ellippi_mc, &
+      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+#ifdef __GFC_REAL_16__
+   use furiko_third_kind_qp, only : &
+      ellippi_k, ellippi_m, ellippi_mc, &
+      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+#endif
+   implicit none
+   private
+
+   public :: &
+      ellippi_k, ellippi_m, ellippi_mc, &
+      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+end module furiko_third_kind

@@ -1,0 +1,267 @@
+! SPDX-License-Identifier: MIT
+
+module test_accuracy_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_by_name_sp, only : evaluate
+   use furiko_catalogue, only : argument_count, find_entry
+   use test_measurement, only : add_point, measurement, unpack
+   use test_program, only : test_folder
+   use test_ulp, only : ulps
+   implicit none
+   private
+   include 'test_accuracy.inc'
+end module test_accuracy_sp
+
+
+module test_accuracy_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_by_name_dp, only : evaluate
+   use furiko_catalogue, only : argument_count, find_entry
+   use test_measurement, only : add_point, measurement, unpack
+   use test_program, only : test_folder
+   use test_ulp, only : ulps
+   implicit none
+   private
+   include 'test_accuracy.inc'
+end module test_accuracy_dp
+
+
+#ifdef __GFC_REAL_16__
+module test_accuracy_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_by_name_qp, only : evaluate
+   use furiko_catalogue, only : argument_count, find_entry
+   use test_measurement, only : add_point, measurement, unpack
+   use test_program, only : test_folder
+   use test_ulp, only : ulps
+   implicit none
+   private
+   include 'test_accuracy.inc'
+end module test_accuracy_qp
+#endif
+
+
+!> The accuracy report, and the suite that holds it against the promises of the docstrings.
+module test_accuracy
+   use, intrinsic :: iso_fortran_env, only : real32, real64, real128
+   use test_accuracy_sp, only : measure
+   use test_accuracy_dp, only : measure
+#ifdef __GFC_REAL_16__
+   use test_accuracy_qp, only : measure
+#endif
+   use test_measurement, only : measurement
+   use testdrive, only : check, error_type, new_unittest, unittest_type
+   implicit none
+   private
+   public :: collect_accuracy, write_report
+
+
+   character(len=*), parameter :: kind_names(3) = ['real32 ', 'real64 ', 'real128']
+
+   character(len=*), parameter :: files(*) = [character(len=21) :: 'complete', 'incomplete', &
+      'third_kind', 'third_kind_incomplete', 'carlson', 'period']
+
+
+   !> A bound in ulp, per kind, for all forms of a family; in one regime, or in all
+   type :: promise
+      character(len=10) :: family
+      character(len=16) :: regime
+      real :: bounds(3)
+   end type promise
+
+   !> What the docstrings promise. The later line counts. Above 1 the condition at
+   !> m sin^2 phi = 1 lets even double words run out.
+   real, parameter :: none = 1.0e6
+   type(promise), parameter :: promises(*) = [ &
+      promise('ellipk', '', [0.55, 0.55, 4.0]), &
+      promise('ellipe', '', [0.55, 0.55, 4.0]), &
+      promise('ellipb', '', [0.6, 0.6, 4.0]), &
+      promise('ellipd', '', [0.6, 0.6, 4.0]), &
+      promise('ellippi', '', [1.5, 0.6, 1.0]), &
+      promise('ellipf', '', [1.0, 0.6, 1.0]), &
+      promise('ellipf', 'above-1', [4.0, 30.0, none]), &
+      promise('ellipeinc', '', [1.0, 0.6, 1.0]), &
+      promise('ellipdinc', '', [1.0, 0.6, 1.0]), &
+      promise('ellipdinc', 'above-1', [4.0, 50.0, none]), &
+      promise('ellippiinc', '', [1.5, 0.6, 1.0]), &
+      promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
+      promise('carlson', '', [2.0, 2.0, 2.0]), &
+      promise('period', '', [2.0, 2.0, 4.0])]
+
+
+contains
+
+
+   subroutine collect_accuracy(testsuite)
+      type(unittest_type), allocatable, intent(out) :: testsuite(:)
+
+      testsuite = [ &
+         new_unittest('complete', test_complete), &
+         new_unittest('incomplete', test_incomplete), &
+         new_unittest('third-kind', test_third_kind), &
+         new_unittest('third-kind-incomplete', test_third_kind_incomplete), &
+         new_unittest('carlson', test_carlson), &
+         new_unittest('period', test_period)]
+   end subroutine collect_accuracy
+
+
+   subroutine test_complete(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'complete')
+   end subroutine test_complete
+
+
+   subroutine test_incomplete(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'incomplete')
+   end subroutine test_incomplete
+
+
+   subroutine test_third_kind(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'third_kind')
+   end subroutine test_third_kind
+
+
+   subroutine test_third_kind_incomplete(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'third_kind_incomplete')
+   end subroutine test_third_kind_incomplete
+
+
+   subroutine test_carlson(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'carlson')
+   end subroutine test_carlson
+
+
+   subroutine test_period(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'period')
+   end subroutine test_period
+
+
+   !> No point of the file beyond its promise, in any kind
+   subroutine check_file(error, file)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: file
+      type(measurement), allocatable :: list(:)
+      character(len=240) :: message
+      integer :: i, kind
+
+      do kind = 1, size(kind_names)
+         allocate(list(0))
+         call measure_kind(file, kind, list)
+         do i = 1, size(list)
+            write(message, '(*(a))') trim(kind_names(kind)), ' ', trim(list(i)%name), ', ', &
+               trim(list(i)%regime), ': ', decimals(list(i)%largest), ' ulp at ', &
+               trim(list(i)%worst)
+            call check(error, list(i)%largest <= promised(list(i), kind), trim(message))
+            if (allocated(error)) return
+         end do
+         deallocate(list)
+      end do
+   end subroutine check_file
+
+
+   !> Measure a file in a kind by its number; nothing where the compiler does not have it.
+   subroutine measure_kind(file, kind, list)
+      character(len=*), intent(in) :: file
+      integer, intent(in) :: kind
+      type(measurement), allocatable, intent(inout) :: list(:)
+
+      select case (kind)
+      case (1)
+         call measure(file, 0.0_real32, list)
+      case (2)
+         call measure(file, 0.0_real64, list)
+#ifdef __GFC_REAL_16__
+      case (3)
+         call measure(file, 0.0_real128, list)
+#endif
+      end select
+   end subroutine measure_kind
+
+
+   !> The bound for a function, whose family is its name up to the last underscore
+   pure function promised(what, kind) result(bound)
+      type(measurement), intent(in) :: what
+      integer, intent(in) :: kind
+      real :: bound
+      integer :: i
+
+      bound = 0.0
+      do i = 1, size(promises)
+         if (promises(i)%family /= family_of(what%name)) cycle
+         if (promises(i)%regime == '' .or. promises(i)%regime == what%regime) then
+            bound = promises(i)%bounds(kind)
+         end if
+      end do
+   end function promised
+
+
+   pure function family_of(name) result(family)
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: family
+
+      family = name(:index(name, '_', back=.true.) - 1)
+   end function family_of
+
+
+   !> doc/accuracy.md
+   subroutine write_report(path)
+      character(len=*), intent(in) :: path
+      type(measurement), allocatable :: list(:)
+      integer :: file, kind, unit
+
+      open(newunit=unit, file=path, status='replace', action='write')
+      write(unit, '(a)') '# Accuracy', '', &
+         'Errors in units in the last place of the exact value (0.5 is correct rounding), against the', &
+         '40-digit references in test/data. Written by `./fpmw test -- report doc/accuracy.md`.'
+      do kind = 1, size(kind_names)
+         write(unit, '(a)') '', '## ' // trim(kind_names(kind)), '', &
+            '| function | regime | points | largest | mean | promised | largest at |', &
+            '|---|---|---|---|---|---|---|'
+         do file = 1, size(files)
+            allocate(list(0))
+            call measure_kind(trim(files(file)), kind, list)
+            call write_rows(unit, list, kind)
+            deallocate(list)
+         end do
+      end do
+      close(unit)
+   end subroutine write_report
+
+
+   subroutine write_rows(unit, list, kind)
+      integer, intent(in) :: unit
+      type(measurement), intent(in) :: list(:)
+      integer, intent(in) :: kind
+      integer :: i
+
+      do i = 1, size(list)
+         write(unit, '(3a, i0, *(a))') '| ' // trim(list(i)%name), ' | ' // trim(list(i)%regime), &
+            ' | ', list(i)%points, ' | ', decimals(list(i)%largest), ' | ', &
+            decimals(real(list(i)%total/list(i)%points)), ' | ', &
+            decimals(promised(list(i), kind)), ' | ' // trim(list(i)%worst) // ' |'
+      end do
+   end subroutine write_rows
+
+
+   !> Three decimals of a nonnegative number
+   pure function decimals(x) result(text)
+      real, intent(in) :: x
+      character(len=:), allocatable :: text
+      character(len=16) :: buffer
+
+      write(buffer, '(f16.3)') x
+      text = trim(adjustl(buffer))
+   end function decimals
+
+end module test_accuracy

@@ -1,0 +1,47 @@
+! SPDX-License-Identifier: MIT
+
+module test_incomplete_sp
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, &
+      ieee_quiet_nan
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use furiko, only : carlson_rc, carlson_rd, carlson_rf, carlson_rg, carlson_rj, &
+      ellipd_m, ellipdinc_k, ellipdinc_m, ellipe_m, ellipeinc_m, ellipeinc_mc, ellipf_k, ellipf_m, &
+      ellipf_mc, ellipk_m, ellippi_m, ellippiinc_m
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
+   include 'test_incomplete.inc'
+end module test_incomplete_sp
+
+
+module test_incomplete_dp
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, &
+      ieee_quiet_nan
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use furiko, only : carlson_rc, carlson_rd, carlson_rf, carlson_rg, carlson_rj, &
+      ellipd_m, ellipdinc_k, ellipdinc_m, ellipe_m, ellipeinc_m, ellipeinc_mc, ellipf_k, ellipf_m, &
+      ellipf_mc, ellipk_m, ellippi_m, ellippiinc_m
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
+   include 'test_incomplete.inc'
+end module test_incomplete_dp
+
+
+#ifdef __GFC_REAL_16__
+module test_incomplete_qp
+   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, &
+      ieee_quiet_nan
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use furiko, only : carlson_rc, carlson_rd, carlson_rf, carlson_rg, carlson_rj, &
+      ellipd_m, ellipdinc_k, ellipdinc_m, ellipe_m, ellipeinc_m, ellipeinc_mc, ellipf_k, ellipf_m, &
+      ellipf_mc, ellipk_m, ellippi_m, ellippiinc_m
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
+   implicit none
+   private
+   include 'test_incomplete.inc'
+end module test_incomplete_qp
+#endif

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the coefficients of furiko_complete_segments.inc, one file each for real32 and real64.
+
+usage: make_complete_coefficients.py [folder]       (needs mpmath; the output depends on this file only)
+
+With x = mc, A = ln 4 + |ln x|/2, and 2^4 segments in each octave of x:
+  near  2^-6 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
+        The centre is chosen close to the middle, such that c0 and c1 happen to be machine numbers
+        to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45).
+  far   K = A + x (A S - T),  D = A - 1 + x (A S - T),
+        E = 1 + x (A/2 - 1/4 + x (A S - T)),  B = 1 + x (3/4 - A/2 + x (A S - T)), x < 2^-6:
+        S and T polynomials in x (DLMF 19.12.1, 19.12.2); above 2^6 through 1/x.
+  sine  sin(b)^2 = v - v^2/3 + v^3 R(v), v = b^2, abs(b) <= pi/4.
+  log   ln(f)/2 = (f - 1)/2 - s ((f - 1)/2 - s^2 R(s^2)), s = (f - 1)/(f + 1), 1/2 <= f^2 <= 2.
+All polynomials interpolate at Chebyshev nodes.
+"""
+import pathlib
+import sys
+
+import mpmath as mp
+
+mp.mp.prec = 400
+OCTAVES, SEGMENTS = 6, 16          # octaves on either side of 1, segments in each
+TRIALS = 512                       # centres tried for each row
+
+
+class Kind:
+    def __init__(self, name, digits, near, far, log, sine, grid):
+        self.name, self.digits, self.near, self.far, self.log, self.sine, self.grid = \
+            name, digits, near, far, log, sine, grid
+
+    def round(self, v):
+        """the nearest number of this kind (exponent range ignored)"""
+        if v == 0:
+            return mp.mpf(0)
+        e = mp.frexp(v)[1] - self.digits
+        return mp.ldexp(mp.nint(mp.ldexp(v, -e)), e)
+
+
+KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 9, 6, 6, 6, 42)]
+
+
+def ke(x):
+    """K and E of mc = x by the arithmetic-geometric mean (DLMF 19.8.1, 19.8.6)"""
+    a, b, s, p = mp.mpf(1), mp.sqrt(x), (1 - x)/2, mp.mpf(1)/2
+    while abs(a - b) > mp.ldexp(a, -210):
+        a, b, c = (a + b)/2, mp.sqrt(a*b), (a - b)/2
+        p *= 2
+        s += p*c*c
+    k = mp.pi/(a + b)
+    return k, k*(1 - s)
+
+
+def integrals(x):
+    k, e = ke(x)
+    return {'k': k, 'e': e, 'b': (e - x*k)/(1 - x), 'd': (k - e)/(1 - x)}
+
+
+def smooth(x):
+    """S and T of the four far forms"""
+    k1, e1 = ke(1 - x)             # of the complementary parameter
+    a = mp.log(4) - mp.log(x)/2
+    sk, se = 2/mp.pi*k1, 2/mp.pi*(k1 - e1)
+    sb = (se - x*sk)/(1 - x)
+    f = integrals(x)
+    s = {'k': (sk - 1)/x, 'd': (sk - sb - 1)/x,
+         'e': (se - x/2)/x**2, 'b': (sb + x/2)/x**2}
+    t = {'k': a*s['k'] - (f['k'] - a)/x, 'd': a*s['d'] - (f['d'] - a + 1)/x,
+         'e': a*s['e'] - (f['e'] - 1 - x*(a/2 - 0.25))/x**2,
+         'b': a*s['b'] - (f['b'] - 1 - x*(0.75 - a/2))/x**2}
+    return s, t
+
+
+class Interpolation:
+    """monomial coefficients about the middle of an interval, from values at the Chebyshev nodes"""
+    def __init__(self, degree):
+        n = degree + 1
+        self.z = [mp.cos(mp.pi*(2*i + 1)/(2*n)) for i in range(n)]
+        self.inverse = mp.matrix([[z**j for j in range(n)] for z in self.z])**-1
+
+    def nodes(self, lo, hi):
+        return [(lo + hi)/2 + (hi - lo)/2*z for z in self.z]
+
+    def coefficients(self, lo, hi, values):
+        c = self.inverse*mp.matrix(values)
+        return [c[j]/((hi - lo)/2)**j for j in range(len(values))]
+
+
+def shifted(c, d):
+    """coefficients about a centre moved by d"""
+    n = len(c)
+    return [sum(mp.binomial(i, j)*c[i]*d**(i - j) for i in range(j, n)) for j in range(n)]
+
+
+def row(kind, lo, hi, c):
+    """centre and coefficients of one segment"""
+    mid, h = (lo + hi)/2, (hi - lo)/2
+    step = mp.ldexp(2**max(6, kind.digits - 30) + 1, mp.frexp(mid)[1] - kind.digits)
+    best, where = mp.inf, 0
+    for i in range(TRIALS):
+        d = (i - TRIALS//2)*step
+        c0, c1 = c[0] + d*(c[1] + d*(c[2] + d*c[3])), c[1] + d*(2*c[2] + 3*d*c[3])
+        bad = abs(c0 - kind.round(c0)) + h*abs(c1 - kind.round(c1))
+        if bad < best:
+            best, where = bad, d
+    c = shifted(c, where)
+    return mid + where, c, [mp.ldexp(c[0], -kind.digits - 13)/h**j for j in range(len(c))]
+
+
+def literal(kind, v, enough=None):
+    """shortest decimal that still gives the machine number, or is right to `enough`"""
+    v = kind.round(v)
+    if v == 0:
+        return '0.0_wp'
+    for n in range(2, 19):
+        s = mp.nstr(v, n, min_fixed=-3, max_fixed=4).replace('+', '')
+        back = kind.round(mp.mpf(s))
+        if back == v or (enough is not None and abs(mp.mpf(s) - v) < enough):
+            break
+    if '.' not in s:
+        s = s.replace('e', '.0e') if 'e' in s else s + '.0'
+    return s + '_wp'
+
+
+def wrapped(items):
+    lines, line = [], '     '
+    for i, s in enumerate(items):
+        s += ',' if i < len(items) - 1 else ''
+        if len(line) + len(s) > 96:
+            lines.append(line + ' &')
+            line = '     '
+        line += ' ' + s
+    return '\n'.join(lines + [line])
+
+
+def vector(name, lower, items, access=''):
+    return (f'   real(wp), parameter{access} :: {name}({lower}:{lower + len(items) - 1}) = [ &\n'
+            + wrapped(items) + ']\n')
+
+
+def matrix(name, n, columns, parts):
+    """a matrix built from vectors, for the standard allows 255 continuation lines only"""
+    text, names, size = '', [], len(columns)//parts
+    for p in range(parts):
+        items = [s for column in columns[p*size:(p + 1)*size] for s in column]
+        names.append(f'{name}_{p + 1}')
+        text += vector(names[-1], 1, items, ', private')
+    shape = f'0:{n - 1}, 0:{len(columns) - 1}'
+    return text + (f'   real(wp), parameter :: {name}({shape}) = reshape( &\n'
+                   f'      [{", ".join(names)}], [{n}, {len(columns)}])\n')
+
+
+def split(kind, v):
+    hi = mp.ldexp(mp.nint(mp.ldexp(v, kind.grid)), -kind.grid)
+    return [literal(kind, hi), literal(kind, v - hi)]
+
+
+def write(kind, folder):
+    out = ['! Written by tools/generate_complete.py: do not edit.\n',
+           f'   integer, parameter :: octaves = {OCTAVES}\n',
+           f'   integer, parameter :: segment_bits = {SEGMENTS.bit_length() - 1}\n',
+           f'   integer, parameter :: near_degree = {kind.near}\n']
+    near = Interpolation(kind.near)
+    rows = {f: [] for f in 'kebd'}
+    for j in range(-OCTAVES, OCTAVES):
+        for i in range(SEGMENTS):
+            lo, hi = [mp.ldexp(1 + mp.mpf(s)/SEGMENTS, j) for s in (i, i + 1)]
+            values = [integrals(x) for x in near.nodes(lo, hi)]
+            for f in 'kebd':
+                c = near.coefficients(lo, hi, [v[f] for v in values])
+                centre, c, enough = row(kind, lo, hi, c)
+                rows[f].append([literal(kind, centre)]
+                               + [literal(kind, a, None if n < 2 else e)
+                                  for n, (a, e) in enumerate(zip(c, enough))])
+    for f in 'kebd':
+        out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 4 if kind.digits > 24 else 2))
+    far = Interpolation(kind.far)
+    lo, hi = mp.mpf(0), mp.ldexp(1, -OCTAVES)
+    values = [smooth(x) for x in far.nodes(lo, hi)]
+    for f in 'kebd':
+        for which, name in enumerate(('s', 't')):
+            c = shifted(far.coefficients(lo, hi, [v[which][f] for v in values]), -hi/2)
+            out.append(vector(f'far_{f}_{name}', 0, [literal(kind, a) for a in c]))
+    series = Interpolation(kind.log)
+    h = (mp.sqrt(2) - 1)**4*(1 + mp.ldexp(1, -20))
+    c = series.coefficients(0, h, [(mp.atanh(mp.sqrt(w))/mp.sqrt(w) - 1)/w
+                                   for w in series.nodes(0, h)])
+    out.append(vector('log_series', 0, [literal(kind, a) for a in shifted(c, -h/2)]))
+    series = Interpolation(kind.sine)
+    h = (mp.pi/4)**2*(1 + mp.ldexp(1, -20))
+    c = series.coefficients(0, h, [(mp.sin(mp.sqrt(v))**2 - v + v**2/3)/v**3
+                                      for v in series.nodes(0, h)])
+    out.append(vector('sine_series', 0, [literal(kind, a) for a in shifted(c, -h/2)]))
+    hi = kind.round(mp.pi/2)
+    out.append(f'   real(wp), parameter :: half_pi_hi = {literal(kind, hi)}, '
+               f'half_pi_lo = {literal(kind, mp.pi/2 - hi)}\n')
+    out.append(f'   real(wp), parameter :: root_half = {literal(kind, mp.sqrt(0.5))}\n')
+    for name, v in (('ln4', mp.log(4)), ('half_ln2', mp.log(2)/2)):
+        hi, lo = split(kind, v)
+        out.append(f'   real(wp), parameter :: {name}_hi = {hi}\n'
+                   f'   real(wp), parameter :: {name}_lo = {lo}\n')
+    with open(f'{folder}/furiko_complete_coefficients_{kind.name}.inc', 'w') as file:
+        file.write(''.join(out))
+
+
+if __name__ == '__main__':
+    for kind in KINDS:
+        write(kind, sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent/'src'/'integrals')
