@@ -15,11 +15,12 @@ module furiko_cli_eval
    character(len=*), parameter :: help = &
       'furiko eval NAME [--kind real32|real64|real128]' // nl // &
       'furiko eval --list' // nl // nl // &
-      'The function NAME on rows of arguments read from standard input, one result row for each,' // nl // &
-      'with digits enough to read it back exactly. Arguments stand apart by blanks, tabs or commas;' // nl // &
-      'inf and nan are numbers; blank lines and lines that begin with # are skipped. A bad row ends' // nl // &
-      'it, with its line number; the rows before it have been answered. --list names the functions,' // nl // &
-      'their arguments and results; angles are in radians. Example:' // nl // nl // &
+      'The function NAME on rows of arguments read from standard input, one row of results for' // &
+      nl // 'each, with digits enough to read it back exactly. Arguments stand apart by blanks, tabs' // &
+      nl // 'or commas; inf and nan are numbers; blank lines and lines that begin with # are skipped.' // &
+      nl // 'A bad row ends it, with its line number; the rows before it have been answered.' // nl // &
+      '--list names the functions, their arguments and results; angles are in radians.' // nl // &
+      'Example:' // nl // nl // &
       '  echo 0.25 | furiko eval ellipke_m'
 
 

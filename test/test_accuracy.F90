@@ -181,8 +181,8 @@ contains
          call measure(file, 0.0_real32, list)
       case (2)
          call measure(file, 0.0_real64, list)
+      case default
 #ifdef __GFC_REAL_16__
-      case (3)
          call measure(file, 0.0_real128, list)
 #endif
       end select

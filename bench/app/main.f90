@@ -4,7 +4,9 @@
 !> of a Markdown table; `bench/run` makes doc/speed.md of them.
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
+   ! allow(C121)
    use bench_peers
+   ! allow(C121)
    use furiko
    implicit none
    integer, parameter :: points = 10000
@@ -65,7 +67,7 @@ contains
          call scalars(case, value)
       case (gsl)
          call gsl_values(case, value)
-      case (boost)
+      case default
          call boost_values(case, value)
       end select
       call system_clock(finish)
@@ -100,7 +102,7 @@ contains
          value = carlson_rf(x, y, z)
       case (11)
          value = carlson_rd(x, y, z)
-      case (12)
+      case default
          value = carlson_rj(x, y, z, p)
       end select
    end subroutine batch
@@ -135,7 +137,7 @@ contains
             value(j) = carlson_rf(x(j), y(j), z(j))
          case (11)
             value(j) = carlson_rd(x(j), y(j), z(j))
-         case (12)
+         case default
             value(j) = carlson_rj(x(j), y(j), z(j), p(j))
          end select
       end do
@@ -172,7 +174,7 @@ contains
             value(j) = gsl_rf(x(j), y(j), z(j), 0)
          case (11)
             value(j) = gsl_rd(x(j), y(j), z(j), 0)
-         case (12)
+         case default
             value(j) = gsl_rj(x(j), y(j), z(j), p(j), 0)
          end select
       end do
@@ -209,7 +211,7 @@ contains
             value(j) = boost_rf(x(j), y(j), z(j))
          case (11)
             value(j) = boost_rd(x(j), y(j), z(j))
-         case (12)
+         case default
             value(j) = boost_rj(x(j), y(j), z(j), p(j))
          end select
       end do

@@ -64,7 +64,8 @@ module furiko_catalogue
       catalogue_entry('carlson_rd', 'x y z', 'RD', 'Carlson''s second kind, degenerate third'), &
       catalogue_entry('carlson_rj', 'x y z p', 'RJ', 'Carlson''s third kind'), &
       catalogue_entry('carlson_rg', 'x y z', 'RG', 'Carlson''s second kind, symmetric'), &
-      catalogue_entry('period_ratio', 'amplitude', 'T/T_h', 'period of a pendulum over that of its small swings')]
+      catalogue_entry('period_ratio', 'amplitude', 'T/T_h', &
+      'period of a pendulum over that of its small swings')]
 
 
 contains

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+
 module furiko_carlson_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
@@ -10,6 +11,7 @@ module furiko_carlson_sp
    include 'furiko_head_sp.inc'
 end module furiko_carlson_sp
 
+
 module furiko_carlson_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
@@ -20,6 +22,7 @@ module furiko_carlson_dp
    include 'furiko_carlson.inc'
    include 'furiko_head_dp.inc'
 end module furiko_carlson_dp
+
 
 #ifdef __GFC_REAL_16__
 module furiko_carlson_qp
@@ -33,6 +36,7 @@ module furiko_carlson_qp
    include 'furiko_head_qp.inc'
 end module furiko_carlson_qp
 #endif
+
 
 !> Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J, R_G for real arguments, in real32,
 !> real64 and real128.

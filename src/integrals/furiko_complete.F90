@@ -4,22 +4,27 @@
 module furiko_complete_coefficients_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    implicit none
+   public
    include 'furiko_complete_coefficients_sp.inc'
    include 'furiko_complete_layout.inc'
 end module furiko_complete_coefficients_sp
+
 
 !> Coefficients of the real64 kernel
 module furiko_complete_coefficients_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    implicit none
+   public
    include 'furiko_complete_coefficients_dp.inc'
    include 'furiko_complete_layout.inc'
 end module furiko_complete_coefficients_dp
+
 
 !> Complete elliptic integrals in real32
 module furiko_complete_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
+   ! allow(C121)
    use furiko_complete_coefficients_sp
    implicit none
    private
@@ -27,16 +32,19 @@ module furiko_complete_sp
    include 'furiko_complete_segments.inc'
 end module furiko_complete_sp
 
+
 !> Complete elliptic integrals in real64
 module furiko_complete_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
+   ! allow(C121)
    use furiko_complete_coefficients_dp
    implicit none
    private
    include 'furiko_complete.inc'
    include 'furiko_complete_segments.inc'
 end module furiko_complete_dp
+
 
 #ifdef __GFC_REAL_16__
 !> Complete elliptic integrals in real128
@@ -50,6 +58,7 @@ module furiko_complete_qp
    include 'furiko_complete_series.inc'
 end module furiko_complete_qp
 #endif
+
 
 !> Complete elliptic integrals K, E, B, D in real32, real64 and real128
 !>

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+
 !> Carlson's duplication in words (hi + lo) for blocks of lanes: the one kernel behind the
 !> Carlson forms and the
 !> Legendre integrals. Internal; a block of one lane serves the scalar entries.
@@ -10,6 +11,7 @@ module furiko_duplication_sp
    include 'furiko_head_sp.inc'
 end module furiko_duplication_sp
 
+
 module furiko_duplication_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
    implicit none
@@ -17,6 +19,7 @@ module furiko_duplication_dp
    include 'furiko_duplication.inc'
    include 'furiko_head_dp.inc'
 end module furiko_duplication_dp
+
 
 #ifdef __GFC_REAL_16__
 module furiko_duplication_qp

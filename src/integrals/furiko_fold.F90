@@ -1,11 +1,14 @@
 ! SPDX-License-Identifier: MIT
+
 !> Reduction of an angle by multiples of pi with its sine and cosine in words. Internal.
 module furiko_half_pi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
-   private :: wp
+   private
+   public :: half_pi
    include 'furiko_half_pi_sp.inc'
 end module furiko_half_pi_sp
+
 
 module furiko_fold_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32, int64
@@ -17,12 +20,15 @@ module furiko_fold_sp
    include 'furiko_head_sp.inc'
 end module furiko_fold_sp
 
+
 module furiko_half_pi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
-   private :: wp
+   private
+   public :: half_pi
    include 'furiko_half_pi_dp.inc'
 end module furiko_half_pi_dp
+
 
 module furiko_fold_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
@@ -34,13 +40,16 @@ module furiko_fold_dp
    include 'furiko_head_dp.inc'
 end module furiko_fold_dp
 
+
 #ifdef __GFC_REAL_16__
 module furiko_half_pi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
-   private :: wp
+   private
+   public :: half_pi
    include 'furiko_half_pi_qp.inc'
 end module furiko_half_pi_qp
+
 
 module furiko_fold_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
@@ -52,4 +61,3 @@ module furiko_fold_qp
    include 'furiko_head_qp.inc'
 end module furiko_fold_qp
 #endif
-

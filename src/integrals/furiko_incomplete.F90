@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+
 module furiko_incomplete_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_legendre_sp, only : integral, first, second, second_d, by_k, by_m, by_mc
@@ -7,6 +8,7 @@ module furiko_incomplete_sp
    include 'furiko_incomplete.inc'
 end module furiko_incomplete_sp
 
+
 module furiko_incomplete_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_legendre_dp, only : integral, first, second, second_d, by_k, by_m, by_mc
@@ -14,6 +16,7 @@ module furiko_incomplete_dp
    private
    include 'furiko_incomplete.inc'
 end module furiko_incomplete_dp
+
 
 #ifdef __GFC_REAL_16__
 module furiko_incomplete_qp
@@ -24,6 +27,7 @@ module furiko_incomplete_qp
    include 'furiko_incomplete.inc'
 end module furiko_incomplete_qp
 #endif
+
 
 !> Legendre's incomplete integrals F, E and D for any real angle, in real32, real64 and real128.
 !> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.

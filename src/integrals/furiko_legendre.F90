@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+
 !> Legendre integrals in words from words, for blocks of lanes. Internal.
 module furiko_legendre_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
@@ -12,6 +13,7 @@ module furiko_legendre_sp
    include 'furiko_head_sp.inc'
 end module furiko_legendre_sp
 
+
 module furiko_legendre_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
@@ -23,6 +25,7 @@ module furiko_legendre_dp
    include 'furiko_legendre.inc'
    include 'furiko_head_dp.inc'
 end module furiko_legendre_dp
+
 
 #ifdef __GFC_REAL_16__
 module furiko_legendre_qp
@@ -37,4 +40,3 @@ module furiko_legendre_qp
    include 'furiko_head_qp.inc'
 end module furiko_legendre_qp
 #endif
-

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+
 module furiko_third_kind_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_legendre_sp, only : integral, complete_third, third, by_k, by_m, by_mc
@@ -7,6 +8,7 @@ module furiko_third_kind_sp
    include 'furiko_third_kind.inc'
 end module furiko_third_kind_sp
 
+
 module furiko_third_kind_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_legendre_dp, only : integral, complete_third, third, by_k, by_m, by_mc
@@ -14,6 +16,7 @@ module furiko_third_kind_dp
    private
    include 'furiko_third_kind.inc'
 end module furiko_third_kind_dp
+
 
 #ifdef __GFC_REAL_16__
 module furiko_third_kind_qp
@@ -24,6 +27,7 @@ module furiko_third_kind_qp
    include 'furiko_third_kind.inc'
 end module furiko_third_kind_qp
 #endif
+
 
 !> Elliptic integrals of the third kind, complete and incomplete, in real32, real64 and real128.
 !> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.
