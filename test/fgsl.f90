@@ -12,6 +12,9 @@ module fgsl
    public :: fgsl_set_error_handler_off
    public :: fgsl_sf_ellint_kcomp, fgsl_sf_ellint_kcomp_e
    public :: fgsl_sf_ellint_ecomp, fgsl_sf_ellint_ecomp_e
+   public :: fgsl_sf_ellint_pcomp, fgsl_sf_ellint_f, fgsl_sf_ellint_e, fgsl_sf_ellint_p
+   public :: fgsl_sf_ellint_d, fgsl_sf_ellint_rc, fgsl_sf_ellint_rd, fgsl_sf_ellint_rf
+   public :: fgsl_sf_ellint_rj
 
 
    integer, parameter :: fgsl_double = c_double
@@ -81,6 +84,78 @@ module fgsl
          type(fgsl_sf_result), intent(out) :: result
          integer(c_int) :: gsl_sf_ellint_ecomp_e
       end function gsl_sf_ellint_ecomp_e
+
+      function gsl_sf_ellint_pcomp(k, n, mode) bind(c, name='gsl_sf_ellint_Pcomp')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: k, n
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_pcomp
+      end function gsl_sf_ellint_pcomp
+
+      function gsl_sf_ellint_f(phi, k, mode) bind(c, name='gsl_sf_ellint_F')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_f
+      end function gsl_sf_ellint_f
+
+      function gsl_sf_ellint_e(phi, k, mode) bind(c, name='gsl_sf_ellint_E')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_e
+      end function gsl_sf_ellint_e
+
+      function gsl_sf_ellint_p(phi, k, n, mode) bind(c, name='gsl_sf_ellint_P')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k, n
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_p
+      end function gsl_sf_ellint_p
+
+      function gsl_sf_ellint_d(phi, k, mode) bind(c, name='gsl_sf_ellint_D')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: phi, k
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_d
+      end function gsl_sf_ellint_d
+
+      function gsl_sf_ellint_rc(x, y, mode) bind(c, name='gsl_sf_ellint_RC')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_rc
+      end function gsl_sf_ellint_rc
+
+      function gsl_sf_ellint_rd(x, y, z, mode) bind(c, name='gsl_sf_ellint_RD')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_rd
+      end function gsl_sf_ellint_rd
+
+      function gsl_sf_ellint_rf(x, y, z, mode) bind(c, name='gsl_sf_ellint_RF')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_rf
+      end function gsl_sf_ellint_rf
+
+      function gsl_sf_ellint_rj(x, y, z, p, mode) bind(c, name='gsl_sf_ellint_RJ')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: x, y, z, p
+         integer(c_int), value :: mode
+         real(c_double) :: gsl_sf_ellint_rj
+      end function gsl_sf_ellint_rj
    end interface
 
 
@@ -131,5 +206,100 @@ contains
 
       status = gsl_sf_ellint_ecomp_e(k, mode%gsl_mode, result)
    end function fgsl_sf_ellint_ecomp_e
+
+
+   function fgsl_sf_ellint_pcomp(k, n, mode) result(value)
+      real(fgsl_double), intent(in) :: k
+      real(fgsl_double), intent(in) :: n
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_pcomp(k, n, mode%gsl_mode)
+   end function fgsl_sf_ellint_pcomp
+
+
+   function fgsl_sf_ellint_f(phi, k, mode) result(value)
+      real(fgsl_double), intent(in) :: phi
+      real(fgsl_double), intent(in) :: k
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_f(phi, k, mode%gsl_mode)
+   end function fgsl_sf_ellint_f
+
+
+   function fgsl_sf_ellint_e(phi, k, mode) result(value)
+      real(fgsl_double), intent(in) :: phi
+      real(fgsl_double), intent(in) :: k
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_e(phi, k, mode%gsl_mode)
+   end function fgsl_sf_ellint_e
+
+
+   function fgsl_sf_ellint_p(phi, k, n, mode) result(value)
+      real(fgsl_double), intent(in) :: phi
+      real(fgsl_double), intent(in) :: k
+      real(fgsl_double), intent(in) :: n
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_p(phi, k, n, mode%gsl_mode)
+   end function fgsl_sf_ellint_p
+
+
+   function fgsl_sf_ellint_d(phi, k, mode) result(value)
+      real(fgsl_double), intent(in) :: phi
+      real(fgsl_double), intent(in) :: k
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_d(phi, k, mode%gsl_mode)
+   end function fgsl_sf_ellint_d
+
+
+   function fgsl_sf_ellint_rc(x, y, mode) result(value)
+      real(fgsl_double), intent(in) :: x
+      real(fgsl_double), intent(in) :: y
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_rc(x, y, mode%gsl_mode)
+   end function fgsl_sf_ellint_rc
+
+
+   function fgsl_sf_ellint_rd(x, y, z, mode) result(value)
+      real(fgsl_double), intent(in) :: x
+      real(fgsl_double), intent(in) :: y
+      real(fgsl_double), intent(in) :: z
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_rd(x, y, z, mode%gsl_mode)
+   end function fgsl_sf_ellint_rd
+
+
+   function fgsl_sf_ellint_rf(x, y, z, mode) result(value)
+      real(fgsl_double), intent(in) :: x
+      real(fgsl_double), intent(in) :: y
+      real(fgsl_double), intent(in) :: z
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_rf(x, y, z, mode%gsl_mode)
+   end function fgsl_sf_ellint_rf
+
+
+   function fgsl_sf_ellint_rj(x, y, z, p, mode) result(value)
+      real(fgsl_double), intent(in) :: x
+      real(fgsl_double), intent(in) :: y
+      real(fgsl_double), intent(in) :: z
+      real(fgsl_double), intent(in) :: p
+      type(fgsl_mode_t), intent(in) :: mode
+      real(fgsl_double) :: value
+
+      value = gsl_sf_ellint_rj(x, y, z, p, mode%gsl_mode)
+   end function fgsl_sf_ellint_rj
 
 end module fgsl

@@ -5,9 +5,12 @@
 module test_fgsl
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use fgsl, only : fgsl_edom, fgsl_error_handler_t, fgsl_prec_double, fgsl_set_error_handler_off, &
-      fgsl_sf_ellint_ecomp, fgsl_sf_ellint_kcomp, fgsl_sf_ellint_kcomp_e, fgsl_sf_result, &
+      fgsl_sf_ellint_d, fgsl_sf_ellint_e, fgsl_sf_ellint_ecomp, fgsl_sf_ellint_f, &
+      fgsl_sf_ellint_kcomp, fgsl_sf_ellint_kcomp_e, fgsl_sf_ellint_p, fgsl_sf_ellint_pcomp, &
+      fgsl_sf_ellint_rc, fgsl_sf_ellint_rd, fgsl_sf_ellint_rf, fgsl_sf_ellint_rj, fgsl_sf_result, &
       fgsl_success
-   use furiko, only : ellipe_k, ellipk_k, ellipk_m
+   use furiko, only : carlson_rc, carlson_rd, carlson_rf, carlson_rj, ellipdinc_k, ellipe_k, &
+      ellipeinc_k, ellipf_k, ellipk_k, ellipk_m, ellippi_k, ellippiinc_k
    use testdrive, only : check, error_type, new_unittest, unittest_type
    implicit none
    private
@@ -25,6 +28,9 @@ contains
          new_unittest('second-kind', test_second_kind), &
          new_unittest('next-to-1', test_next_to_1), &
          new_unittest('takes-k-not-m', test_modulus), &
+         new_unittest('third-kind-and-its-sign', test_third_kind), &
+         new_unittest('incomplete', test_incomplete), &
+         new_unittest('carlson', test_carlson), &
          new_unittest('domain', test_domain)]
    end subroutine collect_fgsl
 
@@ -85,6 +91,65 @@ contains
       if (allocated(error)) return
       call check(error, abs(gsl - ellipk_m(0.5_wp)) > 0.1_wp)
    end subroutine test_modulus
+
+
+   !> GSL's n has the opposite sign
+   subroutine test_third_kind(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: x(200, 3), gsl
+      integer :: i
+
+      call random_number(x)
+      x(:, 1:2) = 0.9_wp*x(:, 1:2)
+      do i = 1, size(x, 1)
+         associate (n => x(i, 1), k => x(i, 2), phi => x(i, 3))
+            gsl = fgsl_sf_ellint_pcomp(k, -n, fgsl_prec_double)
+            call check(error, abs(gsl/ellippi_k(n, k) - 1) < 1e-12_wp)
+            if (allocated(error)) return
+            gsl = fgsl_sf_ellint_p(phi, k, -n, fgsl_prec_double)
+            call check(error, abs(gsl/ellippiinc_k(n, phi, k) - 1) < 1e-12_wp)
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine test_third_kind
+
+
+   !> To phi = 1.4; GSL loses up to three digits between there and pi/2
+   subroutine test_incomplete(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: x(200, 2)
+      integer :: i
+
+      call random_number(x)
+      do i = 1, size(x, 1)
+         associate (k => x(i, 1), phi => 1.4_wp*x(i, 2))
+            call check(error, &
+               abs(fgsl_sf_ellint_f(phi, k, fgsl_prec_double)/ellipf_k(phi, k) - 1) < 1e-13_wp .and. &
+               abs(fgsl_sf_ellint_e(phi, k, fgsl_prec_double)/ellipeinc_k(phi, k) - 1) < 1e-13_wp .and. &
+               abs(fgsl_sf_ellint_d(phi, k, fgsl_prec_double)/ellipdinc_k(phi, k) - 1) < 1e-13_wp)
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine test_incomplete
+
+
+   subroutine test_carlson(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: x(200, 4)
+      integer :: i
+
+      call random_number(x)
+      do i = 1, size(x, 1)
+         associate (a => x(i, 1), b => x(i, 2), c => x(i, 3), d => x(i, 4))
+            call check(error, &
+               abs(fgsl_sf_ellint_rf(a, b, c, fgsl_prec_double)/carlson_rf(a, b, c) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rc(a, b, fgsl_prec_double)/carlson_rc(a, b) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rd(a, b, c, fgsl_prec_double)/carlson_rd(a, b, c) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rj(a, b, c, d, fgsl_prec_double)/carlson_rj(a, b, c, d) - 1) < 1e-14_wp)
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine test_carlson
 
 
    !> Where GSL refuses: at |k| = 1 already
