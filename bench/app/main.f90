@@ -28,7 +28,7 @@ program main
          end do
       end do
       call check_values(i)
-      print '(a, 4(" | ", f0.1), 2(" | ", f0.1), " |")', '| ' // names(i), &
+      print '(a, 6(" | ", f7.1), " |")', '| ' // names(i), &
          (median(times(:, peer)), peer=us, boost), median(times(:, gsl)/times(:, us)), &
          median(times(:, boost)/times(:, us))
    end do
