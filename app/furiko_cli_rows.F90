@@ -3,6 +3,7 @@
 !> Rows of numbers in, rows of results out, in each kind of real; the text is in furiko_cli_rows.inc.
 module furiko_cli_rows_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_sp, only : evaluate
    use furiko_catalogue, only : argument_count, catalogue_entry, result_count
    use furiko_cli_number, only : is_number
@@ -17,6 +18,7 @@ end module furiko_cli_rows_sp
 
 module furiko_cli_rows_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_dp, only : evaluate
    use furiko_catalogue, only : argument_count, catalogue_entry, result_count
    use furiko_cli_number, only : is_number
@@ -32,6 +34,7 @@ end module furiko_cli_rows_dp
 #ifdef __GFC_REAL_16__
 module furiko_cli_rows_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_qp, only : evaluate
    use furiko_catalogue, only : argument_count, catalogue_entry, result_count
    use furiko_cli_number, only : is_number

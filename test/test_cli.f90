@@ -166,12 +166,12 @@ contains
 
       call run_shell("printf '0.25\n# m\n\n 5d-1 \r\n1' | furiko eval ellipke_m", output, errors, code)
       call check(error, output, '1.6857503548125961E+000 1.4674622093394272E+000' // nl // &
-         '1.8540746773013719E+000 1.3506438810476755E+000' // nl // 'Infinity 1.0000000000000000E+000' // nl)
+         '1.8540746773013719E+000 1.3506438810476755E+000' // nl // 'inf 1.0000000000000000E+000' // nl)
       if (allocated(error)) return
       call check(error, code == 0 .and. errors == '')
       if (allocated(error)) return
       call run_shell("printf '0,0.5\n\t1 nan\n-inf 1' | furiko eval ellipf_m", output, errors, code)
-      call check(error, output, '0.0000000000000000E+000' // nl // 'NaN' // nl // '-Infinity' // nl)
+      call check(error, output, '0.0000000000000000E+000' // nl // 'nan' // nl // '-inf' // nl)
       if (allocated(error)) return
       call run_shell('furiko eval ellipk_m', output, errors, code)
       call check(error, code == 0 .and. output == '' .and. errors == '', 'no rows, no answers')
@@ -228,7 +228,7 @@ contains
          'furiko eval $name || echo $name >&2; done', output, errors, code)
       call check(error, errors, '')
       if (allocated(error)) return
-      call check(error, line_count(output) > 40 .and. index(output, 'NaN') == 0, output)
+      call check(error, line_count(output) > 40 .and. index(output, 'nan') == 0, output)
    end subroutine test_eval_list
 
 
