@@ -224,7 +224,8 @@ contains
       integer :: code
 
       call run_shell('furiko eval --list | while read -r name rest; do ' // &
-         'echo 0.4 0.3 0.2 0.1 | cut -d" " -f1-$(echo "$rest" | grep -oE "^[a-z]+( [a-z]+)* " | wc -w) | ' // &
+         'count=$(echo "$rest" | grep -oE "^[a-z]+( [a-z]+)* " | wc -w); ' // &
+         'echo 0.4 0.3 0.2 0.1 | cut -d" " -f1-$count | ' // &
          'furiko eval $name || echo $name >&2; done', output, errors, code)
       call check(error, errors, '')
       if (allocated(error)) return
