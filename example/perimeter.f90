@@ -6,6 +6,7 @@ program perimeter
    use furiko, only : ellipse_perimeter
    implicit none
 
-   print '(3f15.11)', ellipse_perimeter([2.0_wp, 1.0_wp, 0.0_wp], 1.0_wp) ! =>  9.68844822055 6.28318530718 4.00000000000
+   print '(3f15.11)', ellipse_perimeter([2.0_wp, 1.0_wp, 0.0_wp], 1.0_wp)
+   ! =>  9.68844822055 6.28318530718 4.00000000000
    print '(f15.5)', ellipse_perimeter(6378137.0_wp, 6356752.314245_wp)    ! => 40007862.91725
 end program perimeter

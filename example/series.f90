@@ -7,7 +7,8 @@ program series
    implicit none
    real(wp), parameter :: degree = acos(-1.0_wp)/180
 
-   print '(3f9.5)', period_ratio_series(45*degree, [2, 3]), period_ratio(45*degree) ! =>  1.03661  1.03963  1.03997
+   print '(3f9.5)', period_ratio_series(45*degree, [2, 3]), period_ratio(45*degree)
+   ! =>  1.03661  1.03963  1.03997
    print '(es8.1)', 2/acos(-1.0_wp)*ellipk_remainder_k(sin(22.5_wp*degree), 3)      ! =>  3.6E-04
    print '(f7.3)', amplitude_three_terms(1.03_wp)/degree                            ! =>  39.256
 end program series
