@@ -13,6 +13,10 @@
 !> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]].
 !> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
 !> - The pendulum's period: `period_ratio(theta0)` times 2 pi sqrt(l/g); see [[period_ratio]].
+!> - The notes' own ways, to be compared with: the power series `ellipk_series_k(k, terms)` and the
+!>   bound on its remainder, the trapezoidal rule `ellipk_trapezoid_k(k, n)`, the mean step by step
+!>   `agm_steps_k`; see [[ellipk_series_k]], [[ellipk_trapezoid_k]], [[agm_steps_k]].
+!> - An ellipse's perimeter: `ellipse_perimeter(2.0, 1.0)`; see [[ellipse_perimeter]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
@@ -25,6 +29,13 @@ module furiko
       ellippiinc_mc
    use furiko_carlson, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
    use furiko_period, only : period_ratio
+   use furiko_series, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
+      ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
+      ellipe_remainder_m, period_ratio_series, amplitude_three_terms
+   use furiko_trapezoid, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
+      ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
+   use furiko_agm_steps, only : agm_steps_k, agm_steps_m, agm_steps_mc
+   use furiko_ellipse, only : ellipse_perimeter, ellipse_perimeter_series
    implicit none
    private
    public :: furiko_version
@@ -37,6 +48,13 @@ module furiko
    public :: ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, ellippiinc_mc
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
    public :: period_ratio
+   public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
+      ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
+      period_ratio_series, amplitude_three_terms
+   public :: ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, ellipe_trapezoid_k, &
+      ellipe_trapezoid_m, ellipe_trapezoid_mc
+   public :: agm_steps_k, agm_steps_m, agm_steps_mc
+   public :: ellipse_perimeter, ellipse_perimeter_series
 
 
    !> The library's version, by the rules of semver.org

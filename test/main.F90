@@ -5,6 +5,11 @@
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
+   use test_classics_dp, only : collect_classics_dp => collect_classics
+#ifdef __GFC_REAL_16__
+   use test_classics_qp, only : collect_classics_qp => collect_classics
+#endif
+   use test_classics_sp, only : collect_classics_sp => collect_classics
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
 #ifdef __GFC_REAL_16__
@@ -35,11 +40,14 @@ program main
       new_testsuite('complete-real64', collect_complete_dp), &
       new_testsuite('incomplete-real32', collect_incomplete_sp), &
       new_testsuite('incomplete-real64', collect_incomplete_dp), &
+      new_testsuite('classics-real32', collect_classics_sp), &
+      new_testsuite('classics-real64', collect_classics_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
-      new_testsuite('incomplete-real128', collect_incomplete_qp)]
+      new_testsuite('incomplete-real128', collect_incomplete_qp), &
+      new_testsuite('classics-real128', collect_classics_qp)]
 #endif
 
    call get_argument(1, suite)
