@@ -28,7 +28,7 @@ module furiko
    use furiko_third_kind, only : ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, &
       ellippiinc_mc
    use furiko_carlson, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-   use furiko_period, only : period_ratio
+   use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    use furiko_series, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
       ellipe_remainder_m, period_ratio_series, amplitude_three_terms
@@ -47,7 +47,7 @@ module furiko
       ellipdinc_m, ellipdinc_mc
    public :: ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, ellippiinc_mc
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-   public :: period_ratio
+   public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
       period_ratio_series, amplitude_three_terms
