@@ -6,7 +6,7 @@ module furiko_nome_sp
       ieee_positive_inf
    use furiko_legendre_sp, only : parameters, by_k
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
-      operator(/), sqrt, log, exponential, exp_minus_one, pi_words
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
    private
    include 'furiko_nome.inc'
@@ -19,7 +19,7 @@ module furiko_nome_dp
       ieee_positive_inf
    use furiko_legendre_dp, only : parameters, by_k
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
-      operator(/), sqrt, log, exponential, exp_minus_one, pi_words
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
    private
    include 'furiko_nome.inc'
@@ -33,7 +33,7 @@ module furiko_nome_qp
       ieee_positive_inf
    use furiko_legendre_qp, only : parameters, by_k
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
-      operator(/), sqrt, log, exponential, exp_minus_one, pi_words
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
    private
    include 'furiko_nome.inc'
