@@ -23,6 +23,7 @@ program main
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
 #endif
    use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
+   use test_notes, only : collect_notes
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -35,6 +36,7 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('notes', collect_notes), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
