@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The integrals' references: functions on FLINT's balls, random arguments, and what files to make."""
+"""The integrals' references: functions on FLINT's balls, random arguments, the files' contents."""
 import random
 
 import mpmath as mp

@@ -223,16 +223,24 @@ def real_quarter_period(form, x):
     return mp.pi / 2 / (mp.agm(1, mp.sqrt(mc)) if mc > 0 else mp.agm(mp.sqrt(m), mp.sqrt(-mc)))
 
 
-def next_to_period(dice, quarter):
-    """A number next to nK, or some ulp from it; half of them the closest of many."""
-    def rounded_multiple():
-        n = int(dice.power(0, mp.log(6e5, 2)))
-        with mp.workprec(dice.bits):
-            return n, +(n * quarter)
+def next_to_period(dice, quarter, most):
+    """A number next to nK, or some ulp from it, n up to 2^most."""
+    n = int(dice.power(0, most))
+    with mp.workprec(dice.bits):
+        u = n * quarter
+    return u * (1 + dice.pick(0, 0, dice.integer(-4, 4)) * mp.mpf(2) ** -dice.bits)
 
-    choices = [rounded_multiple() for _ in range(dice.pick(1, 12))]
-    _, u = min(choices, key=lambda choice: abs(choice[1] / (choice[0] * quarter) - 1))
-    return dice.sign() * u * (1 + dice.pick(0, 0, dice.integer(-4, 4)) * mp.mpf(2) ** -dice.bits)
+
+def closest_to_period(dice, quarter, most):
+    """A number as near to some nK as can be: K in units of an ulp has the convergent p/n."""
+    n_most = dice.power(0, most)
+    unit = mp.mpf(2) ** (mp.ceil(mp.log(n_most * quarter, 2)) - dice.bits)
+    x = quarter / unit
+    (p, n), (last_p, last_n) = (mp.floor(x), 1), (1, 0)
+    while n <= n_most:
+        x = 1 / (x - mp.floor(x))
+        (p, n), (last_p, last_n) = (mp.floor(x) * p + last_p, mp.floor(x) * n + last_n), (p, n)
+    return last_p * unit
 
 
 def periods(dice, form, x, *ways):
@@ -245,7 +253,9 @@ def periods(dice, form, x, *ways):
         return [dice.uniform(-4, 4) * quarter, x]
     if way == "far":  # as far as 1e6 K
         return [dice.sign() * dice.power(-10, 20) * min(quarter, 1), x]
-    return [next_to_period(dice, quarter), x]
+    most = mp.log(6e5 if way == "multiples" else 1e15, 2)
+    nearness = dice.pick(next_to_period, closest_to_period)
+    return [dice.sign() * nearness(dice, quarter, most), x]
 
 
 def above_1(dice, form):
@@ -267,8 +277,8 @@ def jacobi_arguments(dice, regime, form):
         return [dice.sign() * dice.power(dice.lowest, -10), any_modulus(dice, form)]
     if regime == "uniform":
         return periods(dice, form, modulus(dice, regime, form), "within")
-    if regime == "multiples":
-        return periods(dice, form, any_modulus(dice, form), "multiples")
+    if regime in ("multiples", "huge-multiples"):
+        return periods(dice, form, any_modulus(dice, form), regime)
     if regime == "negative-m":
         x = negative_modulus(dice, form)
     elif regime == "above-1":
@@ -295,9 +305,12 @@ def complex_arguments(dice, regime, form):
 
 def range_ends(p, q, m, mc):
     """pq at 0 and at the real quarter period; 0 and infinity included."""
-    top = {"s": 1 / m, "c": -mc / m, "d": 0, "n": 1} if m > 1 else {"s": 1, "c": 0, "d": mc, "n": 1}
+    bottom = {"s": 0, "c": 1, "d": 1, "n": 1}
+    top = {"s": 1, "c": 0, "d": mc, "n": 1}
+    if m > 1:
+        top = {"s": 1 / m, "c": -mc / m, "d": 0, "n": 1}
     return [mp.sqrt(mp.mpf(value[p]) / value[q]) if value[q] else mp.inf
-            for value in ({"s": 0, "c": 1, "d": 1, "n": 1}, top)]
+            for value in (bottom, top)]
 
 
 def between(dice, low, high):
@@ -340,10 +353,11 @@ def nome_arguments(dice, regime, form):
 
 
 def theta_arguments(dice, regime, _):
-    if regime == "towards-1":  # within the width of a peak
+    if regime == "towards-1":  # within some widths of a peak
         q = 1 - dice.gap()
         width = mp.sqrt(-mp.log(q))
-        return [dice.integer(-3, 3) * mp.pi / 2 + dice.uniform(-5, 5) * width, q]
+        far = dice.pick(5, 20) * width
+        return [dice.integer(-3, 3) * mp.pi / 2 + dice.uniform(-far, far), q]
     if regime == "tiny-q":
         return [dice.uniform(-4, 4), dice.tiny()]
     q = dice.uniform()
@@ -417,9 +431,9 @@ ORIGINS = "nome ellipk period_ratio"
 TOPICS = {
     "jacobi": (
         "jacobi_sn jacobi_cn jacobi_dn jacobi_am jacobi_epsilon", jacobi, jacobi_arguments, {
-            "uniform": ALL, "multiples": ALL, "any-u": ALL, "huge-u": ALL, "tiny-u": ALL,
-            "towards-0": ALL, "towards-1": ALL, "tiny-mc": "mc", "negative-m": BOTH,
-            "above-1": ALL}),
+            "uniform": ALL, "multiples": ALL, "any-u": ALL, "huge-u": ALL, "huge-multiples": ALL,
+            "tiny-u": ALL, "towards-0": ALL, "towards-1": ALL, "tiny-mc": "mc",
+            "negative-m": BOTH, "above-1": ALL}),
     "jacobi_quotients": (
         " ".join(f"jacobi_{name}" for name in QUOTIENTS), jacobi_quotients, jacobi_arguments, {
             "uniform": ALL, "multiples": ALL, "any-u": ALL, "towards-1": ALL, "tiny-mc": "mc",
