@@ -28,6 +28,10 @@ module furiko
    use furiko_third_kind, only : ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, &
       ellippiinc_mc
    use furiko_carlson, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
+   use furiko_nome, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+   use furiko_theta, only : theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
+      theta3_prime, theta4_prime
    use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    use furiko_series, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
@@ -47,6 +51,9 @@ module furiko
       ellipdinc_m, ellipdinc_mc
    public :: ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, ellippiinc_mc
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
+   public :: nome_k, nome_m, nome_mc, parameter_from_nome, complementary_parameter_from_nome
+   public :: theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
+      theta3_prime, theta4_prime
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &

@@ -4,13 +4,16 @@
 module test_measurement
    implicit none
    private
-   public :: measurement, add_points, unpack
+   public :: measurement, add_points, unpack, name_length
 
+
+   !> Room for the longest name of a function
+   integer, parameter :: name_length = 41
 
    !> All points of a function in a regime
    type :: measurement
-      character(len=16) :: name = ''
-      character(len=16) :: regime = ''
+      character(len=name_length) :: name = ''
+      character(len=name_length) :: regime = ''
       integer :: points = 0
       !> Errors in ulp, of calls one by one
       real :: largest = -1.0
