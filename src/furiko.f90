@@ -17,6 +17,9 @@
 !>   bound on its remainder, the trapezoidal rule `ellipk_trapezoid_k(k, n)`, the mean step by step
 !>   `agm_steps_k`; see [[ellipk_series_k]], [[ellipk_trapezoid_k]], [[agm_steps_k]].
 !> - An ellipse's perimeter: `ellipse_perimeter(2.0, 1.0)`; see [[ellipse_perimeter]].
+!> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
+!>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
+!>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
@@ -40,6 +43,9 @@ module furiko
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
    use furiko_agm_steps, only : agm_steps_k, agm_steps_m, agm_steps_mc
    use furiko_ellipse, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_rk4, only : rk4
+   use furiko_symplectic, only : verlet, forest_ruth
+   use furiko_pendulum_steps, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
    implicit none
    private
    public :: furiko_version
@@ -62,6 +68,8 @@ module furiko
       ellipe_trapezoid_m, ellipe_trapezoid_mc
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
    public :: ellipse_perimeter, ellipse_perimeter_series
+   public :: rk4, verlet, forest_ruth
+   public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 
 
    !> The library's version, by the rules of semver.org
