@@ -3,6 +3,7 @@
 !> Quotients of theta functions for blocks of lanes: the kernel of the Jacobi functions. Internal.
 module furiko_quotients_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan
    use furiko_half_pi_sp, only : half_pi
    implicit none
    private
@@ -14,6 +15,7 @@ end module furiko_quotients_sp
 
 module furiko_quotients_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan
    use furiko_half_pi_dp, only : half_pi
    implicit none
    private
@@ -26,6 +28,7 @@ end module furiko_quotients_dp
 #ifdef __GFC_REAL_16__
 module furiko_quotients_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan
    use furiko_half_pi_qp, only : half_pi
    implicit none
    private
