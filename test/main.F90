@@ -5,6 +5,7 @@
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
+   use test_animate, only : collect_animate
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
 #ifdef __GFC_REAL_16__
@@ -30,6 +31,7 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
