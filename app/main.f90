@@ -3,6 +3,7 @@
 !> furiko [COMMAND] [OPTIONS]: one command for each question; without one, the table.
 program main
    use furiko, only : furiko_version
+   use furiko_cli_animate, only : animate_command
    use furiko_cli_arguments, only : argument_reader
    use furiko_cli_classics, only : converge_command, perimeter_command
    use furiko_cli_eval, only : eval_command
@@ -21,7 +22,8 @@ program main
       '  drift      how long a small-angle clock keeps step' // nl // &
       '  converge   series, trapezoidal rule and AGM side by side' // nl // &
       '  perimeter  of an ellipse' // nl // &
-      '  eval       any function of the library on rows of arguments' // nl // nl // &
+      '  eval       any function of the library on rows of arguments' // nl // &
+      '  animate    the pendulum in motion, as a page for the browser' // nl // nl // &
       'furiko COMMAND --help tells more; furiko --version prints the version.'
    type(argument_reader) :: arguments
    character(len=:), allocatable :: command, word
@@ -52,6 +54,8 @@ program main
       call perimeter_command(arguments)
    case ('eval')
       call eval_command(arguments)
+   case ('animate')
+      call animate_command(arguments)
    case ('-h', '--help', 'help')
       call put(help)
       call finish()
