@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
 
 module furiko_carlson_sp
-   use furiko_carlson_words_sp, only : rf, rc, rd, rj, rg, rj_batch, rg_batch
-   use furiko_carlson_plain_sp, only : rf_batch, rc_batch, rd_batch
+   use furiko_carlson_words_sp, only : rf, rc, rd, rj, rg, rg_batch
+   use furiko_carlson_plain_sp, only : rf_batch, rc_batch, rd_batch, rj_batch
    implicit none
    private
    include 'furiko_carlson.inc'
@@ -10,8 +10,8 @@ end module furiko_carlson_sp
 
 
 module furiko_carlson_dp
-   use furiko_carlson_words_dp, only : rf, rc, rd, rj, rg, rj_batch, rg_batch
-   use furiko_carlson_plain_dp, only : rf_batch, rc_batch, rd_batch
+   use furiko_carlson_words_dp, only : rf, rc, rd, rj, rg, rg_batch
+   use furiko_carlson_plain_dp, only : rf_batch, rc_batch, rd_batch, rj_batch
    implicit none
    private
    include 'furiko_carlson.inc'
