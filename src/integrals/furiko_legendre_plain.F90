@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> Legendre's F, E, D and Pi of many arguments by plain duplication, lanes out of the ordinary in words.
-!> Internal.
+!> Legendre's F, E, D and Pi of many arguments by plain duplication, lanes out of the ordinary in
+!> words. Internal.
 module furiko_legendre_plain_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
