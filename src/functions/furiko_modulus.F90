@@ -9,7 +9,7 @@ module furiko_modulus_sp
    use furiko_half_pi_sp, only : half_pi
    use furiko_complete_sp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_sp, only : ellipeinc_mc
-   use furiko_quotients_sp, only : lanes, mean, quadrant, quotients, thetas, thetas_of, triangle, &
+   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
    private
@@ -25,7 +25,7 @@ module furiko_modulus_dp
    use furiko_half_pi_dp, only : half_pi
    use furiko_complete_dp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_dp, only : ellipeinc_mc
-   use furiko_quotients_dp, only : lanes, mean, quadrant, quotients, thetas, thetas_of, triangle, &
+   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
    private
@@ -42,7 +42,7 @@ module furiko_modulus_qp
    use furiko_half_pi_qp, only : half_pi
    use furiko_complete_qp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_qp, only : ellipeinc_mc
-   use furiko_quotients_qp, only : lanes, mean, quadrant, quotients, thetas, thetas_of, triangle, &
+   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
    private
