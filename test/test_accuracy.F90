@@ -95,8 +95,11 @@ module test_accuracy
       promise('period', '', [2.0, 2.0, 4.0]), &
       promise('nome', '', [1.0, 1.0, 1.0]), &
       promise('theta', '', [1.0, 1.0, 1.0]), &
-      promise('jacobi', '', [4.0, 4.0, 4.0]), &
-      promise('jacobi_arc', '', [1.0, 1.0, 1.0]), &
+      promise('jacobi', '', [5.0, 5.0, 5.0]), &
+      promise('jacobi', 'huge-u', [none, 5.0, 5.0]), &
+      promise('jacobi', 'huge-multiples', [none, 6.0, 5.0]), &
+      promise('jacobi_epsilon', 'above-1', [none, none, none]), &
+      promise('jacobi_arc', '', [1.0, 1.0, 5.0]), &
       promise('jacobi_zeta', '', [1.0, 1.0, 1.0]), &
       promise('heuman_lambda', '', [1.0, 1.0, 1.0]), &
       promise('parameter', '', [4.0, 4.0, 4.0]), &
