@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
 !> What the program says and how it ends: data on standard output, one line on standard error,
-!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line.
+!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line, 3 no gnuplot.
 !>
 !> Output goes through C's library: gfortran's own units lose what a full or closed output refuses
 !> and say nothing, and Fortran 2008's `stop` prints its code.
@@ -10,7 +10,7 @@ module furiko_cli_terminal
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char, c_null_ptr, c_ptr
    implicit none
    private
-   public :: put, finish, refuse
+   public :: put, finish, refuse, complain, complain_of_system, leave
 
 
    interface
@@ -63,14 +63,38 @@ contains
    subroutine refuse(message)
       character(len=*), intent(in) :: message
 
-      write(error_unit, '(a)') message
-      call c_exit(2_c_int)
+      call complain(message)
+      call leave(2)
    end subroutine refuse
 
 
    subroutine give_up()
-      call c_perror('furiko: cannot write the output' // c_null_char)
-      call c_exit(1_c_int)
+      call complain_of_system('furiko: cannot write the output')
+      call leave(1)
    end subroutine give_up
+
+
+   !> Write one line to standard error.
+   subroutine complain(message)
+      character(len=*), intent(in) :: message
+
+      write(error_unit, '(a)') message
+   end subroutine complain
+
+
+   !> The same, with the reason why the system's last call failed.
+   subroutine complain_of_system(message)
+      character(len=*), intent(in) :: message
+
+      call c_perror(message // c_null_char)
+   end subroutine complain_of_system
+
+
+   !> End with an exit code; does not return.
+   subroutine leave(code)
+      integer, intent(in) :: code
+
+      call c_exit(int(code, c_int))
+   end subroutine leave
 
 end module furiko_cli_terminal

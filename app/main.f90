@@ -5,6 +5,7 @@ program main
    use furiko, only : furiko_version
    use furiko_cli_arguments, only : argument_reader
    use furiko_cli_eval, only : eval_command
+   use furiko_cli_plot, only : plot_command
    use furiko_cli_table, only : table_command
    use furiko_cli_terminal, only : finish, put, refuse
    implicit none
@@ -12,7 +13,8 @@ program main
    character(len=*), parameter :: help = &
       'furiko [COMMAND] [OPTIONS]: elliptic functions and the exact pendulum' // nl // nl // &
       '  table    the period of a pendulum against its amplitude (without a command, too)' // nl // &
-      '  eval     any function of the library on rows of arguments' // nl // nl // &
+      '  eval     any function of the library on rows of arguments' // nl // &
+      '  plot     figures, as SVG, PNG or PDF' // nl // nl // &
       'furiko COMMAND --help tells more; furiko --version prints the version.'
    type(argument_reader) :: arguments
    character(len=:), allocatable :: command, word
@@ -31,6 +33,8 @@ program main
       call table_command(arguments)
    case ('eval')
       call eval_command(arguments)
+   case ('plot')
+      call plot_command(arguments)
    case ('-h', '--help', 'help')
       call put(help)
       call finish()
