@@ -32,7 +32,7 @@ contains
       call self%say('set logscale xy')
       call self%say('set format y "10^{%T}"')
       call self%say('set xrange [0.9:10000]')
-      call self%say('set yrange [3e-17:3]')
+      call self%say('set yrange [3e-17:*]')
       call self%say('set ytics 1e-16, 100, 1')
       call self%say('set xtics 10')
       call self%say('unset mytics')

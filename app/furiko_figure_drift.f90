@@ -24,6 +24,7 @@ contains
       !> One, or none for that of a period 3 % longer
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(out) :: self
+      character(len=:), allocatable :: label
       type(pendulum) :: bob
       type(motion) :: path
       real(wp), allocatable :: time(:)
@@ -31,8 +32,10 @@ contains
 
       if (size(amplitudes) == 1) then
          largest = amplitudes(1)%radians
+         label = amplitudes(1)%label
       else
          largest = slower_amplitude(1.03_wp)
+         label = fixed(largest/degree, 2) // '°'
       end if
       ratio = period_ratio(largest)
       until = swings*ratio + 0.25_wp
@@ -58,7 +61,7 @@ contains
       call self%say('set label "ten swings end ' // fixed(10*(ratio - 1), 2) // ' <T>_h late" at ' // &
          to_text(10*ratio) // ', ' // to_text(1.3_wp*largest) // ' right')
       call self%say('plot ' // self%last(1) // ' using 2:3 with lines lw 3 lc rgb "#0072B2" title "exact, <θ>_0 = ' // &
-         fixed(largest, 2) // '°, <T> = ' // fixed(ratio, 4) // ' <T>_h", ' // &
+         label // ', <T> = ' // fixed(ratio, 4) // ' <T>_h", ' // &
          self%last() // ' using 2:3 with lines lw 1.5 dt (6, 4) lc rgb "#000000" title "small-angle pendulum"')
    end subroutine drift_figure
 

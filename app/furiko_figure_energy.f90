@@ -32,11 +32,13 @@ contains
       type(amplitude), intent(in) :: amplitude_
       type(figure), intent(out) :: self
       character(len=:), allocatable :: curves
-      real(wp) :: drifts(decades*looks_per_decade + 1)
-      integer :: swings(decades*looks_per_decade + 1)
+      real(wp), allocatable :: drifts(:)
+      integer, allocatable :: swings(:)
       integer :: i
 
       swings = [(nint(10.0_wp**(real(i, wp)/looks_per_decade)), i=0, decades*looks_per_decade)]
+      swings = pack(swings, swings > [0, swings(:size(swings) - 1)])
+      allocate(drifts(size(swings)))
       call self%begin('swings', 'relative_energy_error')
       curves = ''
       do i = 1, size(names)
@@ -80,10 +82,6 @@ contains
       done = 0
       drifts = 0.0_wp
       do i = 1, size(swings)
-         if (swings(i) <= done) then
-            drifts(i) = drifts(i - 1)
-            cycle
-         end if
          call advance(method, h, (swings(i) - 1 - done)*per_swing, angle, rate)
          do j = 1, per_swing
             call advance(method, h, 1, angle, rate)

@@ -3,7 +3,7 @@
 !> The phase portrait: librations, the separatrix and rotations, coloured by energy.
 module furiko_figure_phase
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_figure, only : amplitude, figure, fixed, ramp
+   use furiko_figure, only : amplitude, figure, fixed, ramp, to_text
    implicit none
    private
    public :: phase_figure
@@ -61,17 +61,17 @@ contains
       type(amplitude), intent(in) :: amplitude_
       type(figure), intent(inout) :: self
       character(len=:), allocatable, intent(inout) :: curves
+      character(len=*), parameter :: cells(*) = [character(len=8) :: '2', '($2-360)', '($2+360)']
       real(wp) :: phi(121)
       real(wp) :: k
-      integer :: cell
+      integer :: i
 
       phi = ramp(0.0_wp, 2*pi, 120)
       k = sin(amplitude_%radians/2)
       call self%add('libration to ' // amplitude_%label, 2*asin(k*sin(phi))/degree, 2*k*cos(phi))
-      do cell = -360, 360, 360
-         curves = curves // self%last() // ' using ($2' // merge('+', '-', cell >= 0) // &
-            fixed(real(abs(cell), wp), 0) // '):3 with lines lw 2 lc palette cb ' // &
-            fixed(2*k**2, 4) // ', '
+      do i = 1, size(cells)
+         curves = curves // self%last() // ' using ' // trim(cells(i)) // ':3 with lines lw 2 ' // &
+            'lc palette cb ' // to_text(2*k**2) // ', '
       end do
    end subroutine add_libration
 
@@ -92,7 +92,7 @@ contains
       if (name == 'separatrix') then
          curves = curves // 'lw 2.5 dt (10, 5) lc rgb "#000000", '
       else
-         curves = curves // 'lw 2 lc palette cb ' // fixed(energy, 4) // ', '
+         curves = curves // 'lw 2 lc palette cb ' // to_text(energy) // ', '
       end if
    end subroutine add_rotation
 

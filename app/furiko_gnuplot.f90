@@ -105,15 +105,15 @@ contains
          exitstat=code, cmdstat=ignored)
       if (keep .or. code == not_found) call keep_data(self)
       if (code == not_found) then
-         call complain('furiko plot: no gnuplot here, but data and script are written; apt-get ' // &
-            'install gnuplot-nox, then: gnuplot ' // self%stem // '.gp')
+         call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &
+            'install gnuplot-nox, then, in ' // folder_of(self%path) // ': gnuplot ' // self%stem // '.gp')
          call clear(self)
          call leave(3)
       end if
 
       done = code == 0 .and. index(tail_of(self%name, 16), trim(closings(self%form))) > 0
       if (.not. done) then
-         call complain('furiko plot: gnuplot could not draw ' // self%path // ': ' // &
+         call complain('furiko plot: gnuplot drew no whole ' // self%path // ': ' // &
             last_line(tail_of(log_name, 1000)))
          call clear(self)
          call leave(1)
