@@ -3,11 +3,8 @@
 !> The error of K against work: the power series, the trapezoidal rule, the AGM.
 module furiko_figure_converge
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : ellipk_mc
-   use furiko_agm_steps, only : agm_steps_mc
+   use furiko, only : agm_steps_mc, ellipk_mc, ellipk_series_m, ellipk_trapezoid_mc
    use furiko_figure, only : amplitude, figure, to_text
-   use furiko_series, only : ellipk_series_m
-   use furiko_trapezoid, only : ellipk_trapezoid_mc
    implicit none
    private
    public :: converge_figure

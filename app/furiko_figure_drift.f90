@@ -3,9 +3,9 @@
 !> Ten swings beside the small-angle pendulum: how a clock that is 3 % slow loses step.
 module furiko_figure_drift
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : period_ratio
+   use furiko, only : amplitude_of_excess, period_ratio
    use furiko_figure, only : amplitude, figure, fixed, ramp, to_text
-   use furiko_stand_in, only : motion, pendulum, slower_amplitude
+   use furiko_stand_in, only : motion, pendulum
    implicit none
    private
    public :: drift_figure
@@ -34,7 +34,7 @@ contains
          largest = amplitudes(1)%radians
          label = amplitudes(1)%label
       else
-         largest = slower_amplitude(1.03_wp)
+         largest = amplitude_of_excess(0.03_wp)
          label = fixed(largest/degree, 2) // '°'
       end if
       ratio = period_ratio(largest)

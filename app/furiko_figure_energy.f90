@@ -3,9 +3,8 @@
 !> How the energy drifts, at equal work: Runge-Kutta loses it, the symplectic methods do not.
 module furiko_figure_energy
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : period_ratio
+   use furiko, only : pendulum_forest_ruth, pendulum_rk4, pendulum_verlet, period_ratio
    use furiko_figure, only : amplitude, figure, to_text
-   use furiko_stand_in, only : pendulum_forest_ruth, pendulum_rk4, pendulum_verlet
    implicit none
    private
    public :: energy_figure

@@ -3,9 +3,8 @@
 !> The period against the amplitude: exact, by small angles, by the first terms of the series.
 module furiko_figure_period
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : period_ratio
+   use furiko, only : amplitude_of_excess, period_ratio
    use furiko_figure, only : figure, fixed, ramp
-   use furiko_stand_in, only : slower_amplitude
    implicit none
    private
    public :: period_figure
@@ -45,7 +44,7 @@ contains
       end do
       call self%add('exact', amplitude, period_ratio(amplitude*degree))
       curves = curves // self%last() // ' using 2:3 with lines lw 3 lc rgb "#000000"'
-      slower = slower_amplitude(1.03_wp)/degree
+      slower = amplitude_of_excess(0.03_wp)/degree
 
       call self%say('set rmargin 17')
       call self%say('set xlabel "amplitude <θ>_0  (degrees)"')

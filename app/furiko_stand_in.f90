@@ -3,10 +3,10 @@
 !> Stand-in for the library's furiko_motion until it has landed; the interface is that one's.
 module furiko_stand_in
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : ellipk_mc, period_ratio
+   use furiko, only : ellipk_mc
    implicit none
    private
-   public :: pendulum, motion, slower_amplitude, pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+   public :: pendulum, motion
 
    type :: pendulum
       real(wp) :: length = 1.0_wp
@@ -83,65 +83,5 @@ contains
       end do
       angle = 2*asin(self%k*sin(phi))
    end function angle
-
-   elemental subroutine pendulum_rk4(omega2, h, steps, angle, rate)
-      real(wp), intent(in) :: omega2, h
-      integer, intent(in) :: steps
-      real(wp), intent(inout) :: angle, rate
-      real(wp) :: a(4)
-      integer :: i
-      do i = 1, steps
-         a(1) = -omega2*sin(angle)
-         a(2) = -omega2*sin(angle + h/2*rate)
-         a(3) = -omega2*sin(angle + h/2*rate + h**2/4*a(1))
-         a(4) = -omega2*sin(angle + h*rate + h**2/2*a(2))
-         angle = angle + h*(rate + h/6*(a(1) + a(2) + a(3)))
-         rate = rate + h/6*(a(1) + 2*(a(2) + a(3)) + a(4))
-      end do
-   end subroutine pendulum_rk4
-
-   elemental subroutine pendulum_verlet(omega2, h, steps, angle, rate)
-      real(wp), intent(in) :: omega2, h
-      integer, intent(in) :: steps
-      real(wp), intent(inout) :: angle, rate
-      integer :: i
-      do i = 1, steps
-         angle = angle + h/2*rate
-         rate = rate - h*omega2*sin(angle)
-         angle = angle + h/2*rate
-      end do
-   end subroutine pendulum_verlet
-
-   elemental subroutine pendulum_forest_ruth(omega2, h, steps, angle, rate)
-      real(wp), intent(in) :: omega2, h
-      integer, intent(in) :: steps
-      real(wp), intent(inout) :: angle, rate
-      real(wp), parameter :: theta = 1/(2 - 2**(1/3.0_wp))
-      integer :: i
-      do i = 1, steps
-         call pendulum_verlet(omega2, theta*h, 1, angle, rate)
-         call pendulum_verlet(omega2, (1 - 2*theta)*h, 1, angle, rate)
-         call pendulum_verlet(omega2, theta*h, 1, angle, rate)
-      end do
-   end subroutine pendulum_forest_ruth
-
-   !> The amplitude, in radians, whose period is `ratio` times that of small swings; by halving.
-   pure function slower_amplitude(ratio) result(middle)
-      real(wp), intent(in) :: ratio
-      real(wp) :: middle
-      real(wp) :: above, below
-
-      below = 0.0_wp
-      above = acos(-1.0_wp)
-      do
-         middle = (below + above)/2
-         if (middle <= below .or. middle >= above) exit
-         if (period_ratio(middle) < ratio) then
-            below = middle
-         else
-            above = middle
-         end if
-      end do
-   end function slower_amplitude
 
 end module furiko_stand_in

@@ -10,5 +10,5 @@ program series
    print '(3f9.5)', period_ratio_series(45*degree, [2, 3]), period_ratio(45*degree)
    ! =>  1.03661  1.03963  1.03997
    print '(es8.1)', 2/acos(-1.0_wp)*ellipk_remainder_k(sin(22.5_wp*degree), 3)      ! =>  3.6E-04
-   print '(f7.3)', amplitude_three_terms(1.03_wp)/degree                            ! =>  39.256
+   print '(f7.3)', amplitude_three_terms(0.03_wp)/degree                            ! =>  39.256
 end program series

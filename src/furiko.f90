@@ -17,6 +17,9 @@
 !>   bound on its remainder, the trapezoidal rule `ellipk_trapezoid_k(k, n)`, the mean step by step
 !>   `agm_steps_k`; see [[ellipk_series_k]], [[ellipk_trapezoid_k]], [[agm_steps_k]].
 !> - An ellipse's perimeter: `ellipse_perimeter(2.0, 1.0)`; see [[ellipse_perimeter]].
+!> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
+!>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
+!>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
@@ -28,7 +31,11 @@ module furiko
    use furiko_third_kind, only : ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, &
       ellippiinc_mc
    use furiko_carlson, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-   use furiko_period, only : period_ratio
+   use furiko_nome, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+   use furiko_theta, only : theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
+      theta3_prime, theta4_prime
+   use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    use furiko_series, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
       ellipe_remainder_m, period_ratio_series, amplitude_three_terms
@@ -36,6 +43,9 @@ module furiko
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
    use furiko_agm_steps, only : agm_steps_k, agm_steps_m, agm_steps_mc
    use furiko_ellipse, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_rk4, only : rk4
+   use furiko_symplectic, only : verlet, forest_ruth
+   use furiko_pendulum_steps, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
    implicit none
    private
    public :: furiko_version
@@ -47,7 +57,10 @@ module furiko
       ellipdinc_m, ellipdinc_mc
    public :: ellippi_k, ellippi_m, ellippi_mc, ellippiinc_k, ellippiinc_m, ellippiinc_mc
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-   public :: period_ratio
+   public :: nome_k, nome_m, nome_mc, parameter_from_nome, complementary_parameter_from_nome
+   public :: theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
+      theta3_prime, theta4_prime
+   public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
       period_ratio_series, amplitude_three_terms
@@ -55,6 +68,8 @@ module furiko
       ellipe_trapezoid_m, ellipe_trapezoid_mc
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
    public :: ellipse_perimeter, ellipse_perimeter_series
+   public :: rk4, verlet, forest_ruth
+   public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 
 
    !> The library's version, by the rules of semver.org

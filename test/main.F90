@@ -23,6 +23,12 @@ program main
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
 #endif
    use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
+   use test_integrators_dp, only : collect_integrators_dp => collect_integrators
+#ifdef __GFC_REAL_16__
+   use test_integrators_qp, only : collect_integrators_qp => collect_integrators
+#endif
+   use test_integrators_sp, only : collect_integrators_sp => collect_integrators
+   use test_notes, only : collect_notes
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -35,6 +41,7 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('notes', collect_notes), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
@@ -42,12 +49,15 @@ program main
       new_testsuite('incomplete-real64', collect_incomplete_dp), &
       new_testsuite('classics-real32', collect_classics_sp), &
       new_testsuite('classics-real64', collect_classics_dp), &
+      new_testsuite('integrators-real32', collect_integrators_sp), &
+      new_testsuite('integrators-real64', collect_integrators_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
-      new_testsuite('classics-real128', collect_classics_qp)]
+      new_testsuite('classics-real128', collect_classics_qp), &
+      new_testsuite('integrators-real128', collect_integrators_qp)]
 #endif
 
    call get_argument(1, suite)

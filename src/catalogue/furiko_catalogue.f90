@@ -10,11 +10,11 @@ module furiko_catalogue
    !> A function of real arguments
    type :: catalogue_entry
       !> As in Fortran
-      character(len=16) :: name
+      character(len=41) :: name
       !> Its arguments' symbols, in order
       character(len=12) :: arguments
       !> Its results' symbols
-      character(len=5) :: results
+      character(len=8) :: results
       !> What it is
       character(len=52) :: about
    end type catalogue_entry
@@ -64,8 +64,24 @@ module furiko_catalogue
       catalogue_entry('carlson_rd', 'x y z', 'RD', 'Carlson''s second kind, degenerate third'), &
       catalogue_entry('carlson_rj', 'x y z p', 'RJ', 'Carlson''s third kind'), &
       catalogue_entry('carlson_rg', 'x y z', 'RG', 'Carlson''s second kind, symmetric'), &
+      catalogue_entry('nome_k', 'k', 'q', 'nome, exp(-pi K/K)'), &
+      catalogue_entry('nome_m', 'm', 'q', 'nome, exp(-pi K/K)'), &
+      catalogue_entry('nome_mc', 'mc', 'q', 'nome, exp(-pi K/K)'), &
+      catalogue_entry('parameter_from_nome', 'q', 'm', 'inverse of the nome'), &
+      catalogue_entry('complementary_parameter_from_nome', 'q', 'mc', 'inverse of the nome, 1 - m'), &
+      catalogue_entry('theta1', 'z q', 'theta1', 'theta function'), &
+      catalogue_entry('theta2', 'z q', 'theta2', 'theta function'), &
+      catalogue_entry('theta3', 'z q', 'theta3', 'theta function'), &
+      catalogue_entry('theta4', 'z q', 'theta4', 'theta function'), &
+      catalogue_entry('theta1_prime', 'z q', 'theta1''', 'its derivative by z'), &
+      catalogue_entry('theta2_prime', 'z q', 'theta2''', 'its derivative by z'), &
+      catalogue_entry('theta3_prime', 'z q', 'theta3''', 'its derivative by z'), &
+      catalogue_entry('theta4_prime', 'z q', 'theta4''', 'its derivative by z'), &
       catalogue_entry('period_ratio', 'amplitude', 'T/T_h', &
-      'period of a pendulum over that of its small swings')]
+      'period of a pendulum over that of its small swings'), &
+      catalogue_entry('period_excess', 'amplitude', 'excess', 'T/T_h - 1'), &
+      catalogue_entry('amplitude_of_period', 'ratio', 'theta_0', 'inverse of period_ratio'), &
+      catalogue_entry('amplitude_of_excess', 'excess', 'theta_0', 'inverse of period_excess')]
 
 
 contains
