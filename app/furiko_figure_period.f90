@@ -3,7 +3,7 @@
 !> The period against the amplitude: exact, by small angles, by the first terms of the series.
 module furiko_figure_period
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : amplitude_of_excess, period_ratio
+   use furiko, only : amplitude_of_excess, period_ratio, period_ratio_series
    use furiko_figure, only : figure, fixed, ramp
    implicit none
    private
@@ -11,12 +11,12 @@ module furiko_figure_period
 
 
    real(wp), parameter :: degree = acos(-1.0_wp)/180
-   !> Of k^0, k^2, ... in T/T_h: squares of 1, 1/2, (1 3)/(2 4), (1 3 5)/(2 4 6)
-   real(wp), parameter :: series(0:3) = [1.0_wp, 1/4.0_wp, 9/64.0_wp, 25/256.0_wp]
-   character(len=*), parameter :: names(0:3) = [character(len=32) :: '1', '1 + <k>^2/4', &
+   !> What the series adds, term by term, as it is drawn and as the data name it
+   character(len=*), parameter :: labels(4) = [character(len=32) :: '1', '1 + <k>^2/4', &
       '⋯ + 9<k>^4/64', '⋯ + 25<k>^6/256']
-   character(len=*), parameter :: powers(0:3) = ['0', '2', '4', '6']
-   character(len=*), parameter :: looks(0:3) = [character(len=40) :: &
+   character(len=*), parameter :: names(4) = [character(len=12) :: 'small angle', 'to k^2', &
+      'to k^4', 'to k^6']
+   character(len=*), parameter :: looks(4) = [character(len=40) :: &
       'lw 2 dt (3, 4) lc rgb "#000000"', 'lw 2 dt (12, 4) lc rgb "#009E73"', &
       'lw 2 dt (12, 4, 2, 4) lc rgb "#D55E00"', 'lw 2 dt (5, 3) lc rgb "#0072B2"']
 
@@ -27,20 +27,18 @@ contains
    subroutine period_figure(self)
       type(figure), intent(out) :: self
       character(len=:), allocatable :: curves
-      real(wp) :: amplitude(360), partial(360), k2(360)
+      real(wp) :: amplitude(360), partial(360)
       real(wp) :: slower
       integer :: n
 
       amplitude = ramp(0.0_wp, 179.5_wp, 359)
-      k2 = sin(amplitude*degree/2)**2
       call self%begin('amplitude_deg', 'period_ratio')
-      partial = 0.0_wp
       curves = ''
-      do n = 0, 3
-         partial = partial + series(n)*k2**n
-         call self%add('series to k^' // trim(powers(n)), amplitude, partial)
+      do n = 1, size(names)
+         partial = period_ratio_series(amplitude*degree, n)
+         call self%add(trim(names(n)), amplitude, partial)
          curves = curves // self%last() // ' using 2:3 with lines ' // trim(looks(n)) // ', '
-         call self%say('set label "' // trim(names(n)) // '" at 182, ' // fixed(partial(360), 4) // ' left')
+         call self%say('set label "' // trim(labels(n)) // '" at 182, ' // fixed(partial(360), 4) // ' left')
       end do
       call self%add('exact', amplitude, period_ratio(amplitude*degree))
       curves = curves // self%last() // ' using 2:3 with lines lw 3 lc rgb "#000000"'

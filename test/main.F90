@@ -29,6 +29,7 @@ program main
 #endif
    use test_integrators_sp, only : collect_integrators_sp => collect_integrators
    use test_notes, only : collect_notes
+   use test_plot, only : collect_plot
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -41,6 +42,7 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
