@@ -29,7 +29,7 @@ contains
       call self%say('set logscale xy')
       call self%say('set format y "10^{%T}"')
       call self%say('set xrange [0.9:10000]')
-      call self%say('set yrange [3e-17:*]')
+      call self%say('set yrange [3e-17:10]')
       call self%say('set ytics 1e-16, 100, 1')
       call self%say('set xtics 10')
       call self%say('unset mytics')
@@ -63,11 +63,11 @@ contains
       call agm_steps_mc(mc, a, b, c, k, e)
       n = [(i, i=1, size(k) - 1)]
       call add_method('AGM', k(2:), self)
-      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // '" at graph 0, 1.05 left')
+      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // '" at graph 0, 1 offset 0, 0.8 left')
       call self%say('plot ' // &
-         self%last(2) // ' using 2:3 with linespoints lw 2 dt (12, 4) pt 7 ps 0.3 lc rgb "#D55E00" title "power series", ' // &
-         self%last(1) // ' using 2:3 with linespoints lw 2 dt (4, 3) pt 7 ps 0.3 lc rgb "#0072B2" title "trapezoidal rule", ' // &
-         self%last() // ' using 2:3 with linespoints lw 2 pt 7 ps 0.4 lc rgb "#000000" title "AGM"')
+         self%last(2) // ' using 2:3 with lines lw 2 dt (12, 4) lc rgb "#D55E00" title "power series", ' // &
+         self%last(1) // ' using 2:3 with lines lw 2 dt (4, 3) lc rgb "#0072B2" title "trapezoidal rule", ' // &
+         self%last() // ' using 2:3 with linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000" title "AGM"')
 
    contains
 
@@ -90,14 +90,14 @@ contains
    end subroutine add_panel
 
 
-   !> 1, 2, 3, ..., then about twelve to the decade.
+   !> 1, 2, 3, ..., 40, then about thirty to the decade.
    pure function counts() result(n)
       integer, allocatable :: n(:)
       integer :: i
 
-      n = [(i, i=1, 10)]
+      n = [(i, i=1, 40)]
       do while (n(size(n)) < most_work)
-         n = [n, min(most_work, n(size(n)) + max(1, n(size(n))/5))]
+         n = [n, min(most_work, n(size(n)) + n(size(n))/13)]
       end do
    end function counts
 

@@ -28,7 +28,7 @@ contains
          to_text(size(amplitudes)) // ',1 margins left, right, bottom, top spacing 0.1')
       call self%say('set xrange [0:10]')
       call self%say('set xtics 1 format ""')
-      call self%say('set key at graph 1, 1.04 right bottom horizontal nobox samplen 3')
+      call self%say('set key at graph 1, 1.02 right bottom horizontal nobox samplen 3')
       do i = 1, size(amplitudes)
          if (i == size(amplitudes)) then
             call self%say('set xtics 1 format "%g"')
@@ -62,7 +62,7 @@ contains
 
       largest = amplitude_%radians/unit
       call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // ',  <T> = ' // &
-         fixed(period_ratio(amplitude_%radians), 4) // ' <T>_h" at graph 0, 1.12 left')
+         fixed(period_ratio(amplitude_%radians), 4) // ' <T>_h" at graph 0, 1 offset 0, 0.8 left')
       call self%say('set ylabel "<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // ')" offset 1')
       call self%say('set yrange [' // to_text(-1.05_wp*largest) // ':' // to_text(1.05_wp*largest) // ']')
       call self%say('set ytics (' // to_text(-largest) // ', 0, ' // to_text(largest) // ') format "%g"')

@@ -169,7 +169,7 @@ contains
       character(len=*), intent(in) :: title
       character(len=:), allocatable :: text
 
-      text = 'left = 90.0/' // to_text(self%width) // nl // &
+      text = 'left = 100.0/' // to_text(self%width) // nl // &
          'right = 1 - 25.0/' // to_text(self%width) // nl // &
          'line = 20.0/' // to_text(self%height) // nl // &
          'bottom = 76.0/' // to_text(self%height) // nl // &
