@@ -3,7 +3,7 @@
 !> The options that several commands share: --length and --gravity.
 module furiko_cli_pendulum
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_pendulum_stub, only : pendulum
+   use furiko, only : pendulum
    use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_quantity, only : metres, number_of, pure_number
    use furiko_cli_terminal, only : refuse

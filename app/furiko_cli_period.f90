@@ -3,9 +3,8 @@
 !> `furiko period`, `furiko amplitude` and `furiko drift`: how long a swing takes, and its inverse.
 module furiko_cli_period
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : amplitude_of_excess, amplitude_three_terms, period_excess, &
+   use furiko, only : amplitude_of_excess, amplitude_three_terms, pendulum, period_excess, &
       period_ratio_series
-   use furiko_pendulum_stub, only : pendulum
    use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_pendulum, only : read_pendulum_option
    use furiko_cli_quantity, only : angle_of, integer_of, number_of, pure_number

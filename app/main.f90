@@ -6,6 +6,7 @@ program main
    use furiko_cli_arguments, only : argument_reader
    use furiko_cli_classics, only : converge_command, perimeter_command
    use furiko_cli_eval, only : eval_command
+   use furiko_cli_motion, only : motion_command
    use furiko_cli_period, only : amplitude_command, drift_command, period_command
    use furiko_cli_plot, only : plot_command
    use furiko_cli_table, only : table_command
@@ -15,6 +16,7 @@ program main
    character(len=*), parameter :: help = &
       'furiko [COMMAND] [OPTIONS]: elliptic functions and the exact pendulum' // nl // nl // &
       '  table      the period of a pendulum against its amplitude (without a command, too)' // nl // &
+      '  motion     where the pendulum is, time by time' // nl // &
       '  period     the period for an amplitude' // nl // &
       '  amplitude  the amplitude for a period: where a pendulum is 3 % slow' // nl // &
       '  drift      how long a small-angle clock keeps step' // nl // &
@@ -38,6 +40,8 @@ program main
    select case (command)
    case ('table')
       call table_command(arguments)
+   case ('motion')
+      call motion_command(arguments)
    case ('period')
       call period_command(arguments)
    case ('amplitude')

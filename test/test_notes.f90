@@ -9,7 +9,7 @@ module test_notes
    use furiko, only : agm_steps_k, amplitude_of_excess, amplitude_three_terms, ellipe_m, &
       ellipe_series_m, ellipk_k, ellipk_m, ellipk_series_m, ellipk_trapezoid_k, ellipse_perimeter, &
       ellipse_perimeter_series, period_excess, period_ratio, period_ratio_series
-   use furiko_double_word, only : double_word
+   use furiko_double_word, only : double_word, operator(-)
    use furiko_period_degrees, only : period_ratio_degrees
    use testdrive, only : check, error_type, new_unittest, unittest_type
    implicit none
@@ -38,7 +38,8 @@ contains
          new_unittest('note-2-ellipse', test_ellipse), &
          new_unittest('note-2-series', test_series), &
          new_unittest('note-2-three-percent', test_three_percent), &
-         new_unittest('note-2-ten-swings', test_ten_swings)]
+         new_unittest('note-2-ten-swings', test_ten_swings), &
+         new_unittest('six-more', test_six_more)]
    end subroutine collect_notes
 
 
@@ -212,6 +213,33 @@ contains
 
       call check(error, abs(10*period_excess(amplitude_of_excess(0.03_wp)) - 0.3_wp) <= 1.0e-15_wp)
    end subroutine test_ten_swings
+
+
+   !> Six values that the notes might have printed
+   subroutine test_six_more(error)
+      type(error_type), allocatable, intent(out) :: error
+      integer, parameter :: terms(2) = [17, 45]
+      real(wp), parameter :: half = 0.5e-15_wp
+      type(double_word) :: ratio
+      real(wp) :: excess(2)
+
+      ratio = period_ratio_degrees(double_word(180.0_wp) - double_word(1.0e-6_wp))
+      call check(error, as_text(ratio%hi, '(f18.15)'), '12.696222116445629')
+      if (allocated(error)) return
+      call check(error, as_text(amplitude_of_excess(1.0_wp)/degree, '(f7.3)'), '159.754')
+      if (allocated(error)) return
+      call check(error, as_text(0.5_wp/period_excess(20*degree), '(f6.3)'), '65.197')
+      if (allocated(error)) return
+      call check(error, as_text(period_ratio_series(1.0_wp, 3), '(f8.6)'), '1.064891')
+      if (allocated(error)) return
+      call check(error, abs(ellipse_perimeter(2.0_wp, 1.0_wp) - 9.68844822054767619842850319639_wp) <= &
+         epsilon(1.0_wp)*8)
+      if (allocated(error)) return
+      ! the first left out is above half a unit of the 15th decimal, the next ones are below
+      excess = period_ratio([45, 90]*degree) - period_ratio_series([45, 90]*degree, terms - 2)
+      call check(error, all(excess > half) .and. all(abs(period_ratio([45, 90]*degree) &
+         - period_ratio_series([45, 90]*degree, terms)) < 3*half))
+   end subroutine test_six_more
 
 
    function as_text(x, style) result(text)

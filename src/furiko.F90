@@ -35,6 +35,24 @@ module furiko
       complementary_parameter_from_nome
    use furiko_theta, only : theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
       theta3_prime, theta4_prime
+   use furiko_jacobi, only : jacobi_k, jacobi_m, jacobi_mc, jacobi_sn_k, jacobi_sn_m, jacobi_sn_mc, &
+      jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, jacobi_dn_m, jacobi_dn_mc, &
+      jacobi_ns_k, jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, jacobi_nc_m, jacobi_nc_mc, &
+      jacobi_nd_k, jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, jacobi_sc_m, jacobi_sc_mc, &
+      jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, jacobi_sd_m, jacobi_sd_mc, &
+      jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, jacobi_cd_m, jacobi_cd_mc, &
+      jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc
+   use furiko_modulus, only : modulus, modulus_real32, modulus_from_k, modulus_from_m, &
+      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
+#ifdef __GFC_REAL_16__
+   use furiko_modulus, only : modulus_real128
+#endif
+   use furiko_jacobi_zeta, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, &
+      heuman_lambda_m, heuman_lambda_mc
+   use furiko_motion, only : pendulum, motion, pendulum_real32, motion_real32
+#ifdef __GFC_REAL_16__
+   use furiko_motion, only : pendulum_real128, motion_real128
+#endif
    use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    use furiko_series, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
@@ -60,6 +78,21 @@ module furiko
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, complementary_parameter_from_nome
    public :: theta1, theta2, theta3, theta4, theta1_prime, theta2_prime, &
       theta3_prime, theta4_prime
+   public :: jacobi_k, jacobi_m, jacobi_mc, jacobi_sn_k, jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, &
+      jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, jacobi_dn_m, jacobi_dn_mc, jacobi_ns_k, &
+      jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, jacobi_nc_m, jacobi_nc_mc, jacobi_nd_k, &
+      jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, &
+      jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, &
+      jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, &
+      jacobi_dc_m, jacobi_dc_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc
+   public :: modulus, modulus_real32, modulus_from_k, modulus_from_m, modulus_from_mc, &
+      modulus_from_alpha, modulus_from_amplitude
+   public :: jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, heuman_lambda_m, &
+      heuman_lambda_mc
+   public :: pendulum, motion, pendulum_real32, motion_real32
+#ifdef __GFC_REAL_16__
+   public :: modulus_real128, pendulum_real128, motion_real128
+#endif
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
