@@ -3,9 +3,8 @@
 !> Ten swings beside the small-angle pendulum: how a clock that is 3 % slow loses step.
 module furiko_figure_drift
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : amplitude_of_excess, period_ratio
+   use furiko, only : amplitude_of_excess, motion, pendulum, period_ratio
    use furiko_figure, only : amplitude, figure, fixed, ramp, to_text
-   use furiko_stand_in, only : motion, pendulum
    implicit none
    private
    public :: drift_figure

@@ -3,9 +3,8 @@
 !> The angle against time, exact and harmonic, from the same start: the first note's figures 2 to 4.
 module furiko_figure_motion
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : period_ratio
+   use furiko, only : motion, pendulum, period_ratio
    use furiko_figure, only : amplitude, figure, fixed, ramp, to_text
-   use furiko_stand_in, only : motion, pendulum
    implicit none
    private
    public :: motion_figure
