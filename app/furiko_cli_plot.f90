@@ -130,7 +130,9 @@ contains
       else
          allocate(amplitudes(0))
       end if
-      if (size(amplitudes) > chosen%most) call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      if (size(amplitudes) > chosen%most) then
+         call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      end if
       call begin_picture(file, extent(1), extent(2), place)
 
       select case (chosen%name)
@@ -146,7 +148,7 @@ contains
          call energy_figure(amplitudes(1), content)
       case ('period')
          call period_figure(content)
-      case ('accuracy')
+      case default
          call accuracy_figure(content)
       end select
       call draw(place, content, title, keep)

@@ -43,11 +43,14 @@ module furiko_figure
       character(len=:), allocatable :: layout
       !> The commands, one a line
       character(len=:), allocatable :: script
+      !> Curves of the panel at hand, as `plot` takes them
+      character(len=:), allocatable, private :: drawn
    contains
       procedure :: begin
       procedure :: add
       procedure :: say
-      procedure :: last
+      procedure :: draw
+      procedure :: plot
       procedure :: csv
    end type figure
 
@@ -64,6 +67,7 @@ contains
       self%x_name = x_name
       self%y_name = y_name
       self%script = ''
+      self%drawn = ''
       self%layout = ''
       if (present(layout)) self%layout = layout
       allocate(self%curves(0))
@@ -109,17 +113,34 @@ contains
    end subroutine say
 
 
-   !> The last curve, or the one so many before it, as gnuplot's `plot` names it.
-   pure function last(self, before) result(source)
-      class(figure), intent(in) :: self
-      integer, intent(in), optional :: before
-      character(len=:), allocatable :: source
-      integer :: i
+   !> Draw the last curve with a look: gnuplot's words behind `with`. Or a copy of it, shifted.
+   subroutine draw(self, look, x)
+      class(figure), intent(inout) :: self
+      character(len=*), intent(in) :: look
+      !> What gnuplot takes for x in place of the data's ($2)
+      character(len=*), intent(in), optional :: x
+      character(len=:), allocatable :: column
 
-      i = size(self%curves) - 1
-      if (present(before)) i = i - before
-      source = 'data skip 1 index ' // to_text(i)
-   end function last
+      column = '2'
+      if (present(x)) column = x
+      if (self%drawn /= '') self%drawn = self%drawn // ', \' // nl // '   '
+      self%drawn = self%drawn // 'data skip 1 index ' // to_text(size(self%curves) - 1) // &
+         ' using ' // column // ':3 with ' // look
+   end subroutine draw
+
+
+   !> Plot what has been drawn in this panel, and begin the next.
+   subroutine plot(self, again)
+      class(figure), intent(inout) :: self
+      !> Whether the next panel has the same curves
+      logical, intent(in), optional :: again
+
+      call self%say('plot ' // self%drawn)
+      if (present(again)) then
+         if (again) return
+      end if
+      self%drawn = ''
+   end subroutine plot
 
 
    !> All curves as rows `curve,x,y`, two blank lines between them, where gnuplot sees the next.

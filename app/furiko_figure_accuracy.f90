@@ -25,10 +25,9 @@ contains
    subroutine accuracy_figure(self)
       type(figure), intent(out) :: self
       character(len=*), parameter :: names(*) = [character(len=7) :: 'K by k', 'K by m', 'K by mc']
-      character(len=*), parameter :: looks(*) = [character(len=50) :: &
-         'lw 2 dt (12, 4) lc rgb "#D55E00"', 'lw 2 dt (3, 3) lc rgb "#0072B2"', &
-         'lw 3 lc rgb "#000000"']
-      character(len=:), allocatable :: curves
+      character(len=*), parameter :: looks(*) = [character(len=48) :: &
+         'lines lw 2 dt (12, 4) lc rgb "#D55E00"', 'lines lw 2 dt (3, 3) lc rgb "#0072B2"', &
+         'lines lw 3 lc rgb "#000000"']
       real(wp) :: distance(decades*bins_per_decade), errors(3, decades*bins_per_decade)
       integer :: i
 
@@ -37,11 +36,10 @@ contains
          errors(:, i) = worst(1.0_wp - (i - 1.0_wp)/bins_per_decade)
       end do
       call self%begin('degrees_below_180', 'error_ulp')
-      curves = ''
       do i = 1, size(names)
          call self%add(trim(names(i)), pack(distance, errors(i, :) <= huge(errors)), &
             pack(errors(i, :), errors(i, :) <= huge(errors)))
-         curves = curves // self%last() // ' using 2:3 with lines ' // trim(looks(i)) // ', '
+         call self%draw(trim(looks(i)))
       end do
 
       call self%say('set xlabel "180° − <θ>_0  (degrees)"')
@@ -57,8 +55,9 @@ contains
       call self%say('set label "<K> by <k> = sin(<θ>_0/2)" at 0.8e-2, 1e8 right')
       call self%say('set label "<K> by <m> = sin^2(<θ>_0/2)" at 0.4e-2, 3e5 left')
       call self%say('set label "from here on <k> and <m> round to 1: <K> = ∞" at 1e-6, 1e14 left')
-      call self%say('set label "<K> by <m>_c = cos^2(<θ>_0/2): 0.5 ulp up to the top" at 1e-7, 4 center')
-      call self%say('plot ' // curves(:len(curves) - 2))
+      call self%say('set label "<K> by <m>_c = cos^2(<θ>_0/2): 0.5 ulp up to the top" ' // &
+         'at 1e-7, 4 center')
+      call self%plot()
    end subroutine accuracy_figure
 
 

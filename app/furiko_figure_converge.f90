@@ -36,7 +36,9 @@ contains
       call self%say('set xlabel "terms, subintervals, steps"')
       call self%say('set ylabel "relative error of <K>" offset 1')
       do i = 1, size(amplitudes)
-         if (i == size(amplitudes)) call self%say('set key at graph 1, graph 1.02 right bottom samplen 4')
+         if (i == size(amplitudes)) then
+            call self%say('set key at graph 1, graph 1.02 right bottom samplen 4')
+         end if
          call add_panel(amplitudes(i), self)
          call self%say('set format y ""')
          call self%say('unset ylabel')
@@ -58,24 +60,23 @@ contains
       mc = 1 - m
       exact = ellipk_mc(mc)
       n = counts()
-      call add_method('series', ellipk_series_m(m, n), self)
-      call add_method('trapezoidal rule', ellipk_trapezoid_mc(mc, n), self)
+      call add_method('power series', ellipk_series_m(m, n), 'lines lw 2 dt (12, 4) lc rgb "#D55E00"')
+      call add_method('trapezoidal rule', ellipk_trapezoid_mc(mc, n), &
+         'lines lw 2 dt (4, 3) lc rgb "#0072B2"')
       call agm_steps_mc(mc, a, b, c, k, e)
       n = [(i, i=1, size(k) - 1)]
-      call add_method('AGM', k(2:), self)
-      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // '" at graph 0, 1 offset 0, 0.8 left')
-      call self%say('plot ' // &
-         self%last(2) // ' using 2:3 with lines lw 2 dt (12, 4) lc rgb "#D55E00" title "power series", ' // &
-         self%last(1) // ' using 2:3 with lines lw 2 dt (4, 3) lc rgb "#0072B2" title "trapezoidal rule", ' // &
-         self%last() // ' using 2:3 with linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000" title "AGM"')
+      call add_method('AGM', k(2:), 'linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000"')
+      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // &
+         '" at graph 0, 1 offset 0, 0.8 left')
+      call self%plot()
 
    contains
 
       !> Add the curve of a method up to where it meets the rounding.
-      subroutine add_method(name, values, self)
+      subroutine add_method(name, values, look)
          character(len=*), intent(in) :: name
          real(wp), intent(in) :: values(:)
-         type(figure), intent(inout) :: self
+         character(len=*), intent(in) :: look
          real(wp) :: errors(size(values))
          integer :: last
 
@@ -85,6 +86,7 @@ contains
             last = last + 1
          end do
          call self%add(name // ' ' // amplitude_%label, real(n(:last), wp), errors(:last))
+         call self%draw(look // ' title "' // name // '"')
       end subroutine add_method
 
    end subroutine add_panel

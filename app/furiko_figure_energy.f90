@@ -16,8 +16,8 @@ module furiko_figure_energy
       'Forest-Ruth']
    character(len=*), parameter :: titles(*) = [character(len=20) :: 'Runge–Kutta 4', 'Störmer–Verlet', &
       'Forest–Ruth']
-   character(len=*), parameter :: looks(*) = [character(len=40) :: 'lw 2.5 lc rgb "#000000"', &
-      'lw 2 dt (12, 4) lc rgb "#D55E00"', 'lw 2 dt (4, 3) lc rgb "#0072B2"']
+   character(len=*), parameter :: looks(*) = [character(len=48) :: 'lines lw 2.5 lc rgb "#000000"', &
+      'lines lw 2 dt (12, 4) lc rgb "#D55E00"', 'lines lw 2 dt (4, 3) lc rgb "#0072B2"']
    !> Sines in a step of each method
    integer, parameter :: sines_per_step(*) = [4, 1, 3]
    integer, parameter :: decades = 5
@@ -30,7 +30,6 @@ contains
    subroutine energy_figure(amplitude_, self)
       type(amplitude), intent(in) :: amplitude_
       type(figure), intent(out) :: self
-      character(len=:), allocatable :: curves
       real(wp), allocatable :: drifts(:)
       integer, allocatable :: swings(:)
       integer :: i
@@ -39,11 +38,10 @@ contains
       swings = pack(swings, swings > [0, swings(:size(swings) - 1)])
       allocate(drifts(size(swings)))
       call self%begin('swings', 'relative_energy_error')
-      curves = ''
       do i = 1, size(names)
          call follow(i, amplitude_%radians, swings, drifts)
          call self%add(trim(names(i)), real(swings, wp), drifts)
-         curves = curves // self%last() // ' using 2:3 with lines ' // trim(looks(i)) // ', '
+         call self%draw(trim(looks(i)))
          call self%say('set label "' // trim(titles(i)) // ', ' // &
             to_text(sines_per_swing/sines_per_step(i)) // ' steps each" at graph 1.015, first ' // &
             to_text(drifts(size(drifts))) // ' left')
@@ -58,7 +56,7 @@ contains
       call self%say('set xrange [1:1e5]')
       call self%say('unset mxtics')
       call self%say('unset mytics')
-      call self%say('plot ' // curves(:len(curves) - 2))
+      call self%plot()
    end subroutine energy_figure
 
 

@@ -40,8 +40,8 @@ contains
    end subroutine motion_figure
 
 
-   !> Through the bottom with the rate 2 k ω: θ = 2 asin(k sn(ωt)) beside 2 k sin(ωt), the note's (8)
-   !> and (9).
+   !> Through the bottom with the rate 2 k ω: θ = 2 asin(k sn(ωt)) beside 2 k sin(ωt), (8) and (9)
+   !> of the note.
    subroutine add_panel(amplitude_, degrees, self)
       type(amplitude), intent(in) :: amplitude_
       !> Whether to draw degrees, rather than radians
@@ -56,17 +56,21 @@ contains
       time = ramp(0.0_wp, until, 400)
       path = bob%swinging(amplitude_%radians)
       call self%add('exact ' // amplitude_%label, time, path%angle(time)/unit)
+      call self%draw('lines lw 4 lc rgb "#56B4E9" title "exact"')
       call self%add('harmonic ' // amplitude_%label, time, &
          2*sin(amplitude_%radians/2)*sin(bob%frequency()*time)/unit)
+      call self%draw('lines lw 1.5 dt (6, 4) lc rgb "#000000" title "harmonic"')
 
       largest = amplitude_%radians/unit
       call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // ',  <T> = ' // &
          fixed(period_ratio(amplitude_%radians), 4) // ' <T>_h" at graph 0, 1 offset 0, 0.8 left')
-      call self%say('set ylabel "<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // ')" offset 1')
-      call self%say('set yrange [' // to_text(-1.05_wp*largest) // ':' // to_text(1.05_wp*largest) // ']')
-      call self%say('set ytics (' // to_text(-largest) // ', 0, ' // to_text(largest) // ') format "%g"')
-      call self%say('plot ' // self%last(1) // ' using 2:3 with lines lw 4 lc rgb "#56B4E9" title "exact", ' // &
-         self%last() // ' using 2:3 with lines lw 1.5 dt (6, 4) lc rgb "#000000" title "harmonic"')
+      call self%say('set ylabel "<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // &
+         ')" offset 1')
+      call self%say('set yrange [' // to_text(-1.05_wp*largest) // ':' // &
+         to_text(1.05_wp*largest) // ']')
+      call self%say('set ytics (' // to_text(-largest) // ', 0, ' // to_text(largest) // &
+         ') format "%g"')
+      call self%plot()
    end subroutine add_panel
 
 

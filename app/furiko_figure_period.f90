@@ -4,7 +4,7 @@
 module furiko_figure_period
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : amplitude_of_excess, period_ratio, period_ratio_series
-   use furiko_figure, only : figure, fixed, ramp
+   use furiko_figure, only : figure, fixed, ramp, to_text
    implicit none
    private
    public :: period_figure
@@ -16,9 +16,9 @@ module furiko_figure_period
       '⋯ + 9<k>^4/64', '⋯ + 25<k>^6/256']
    character(len=*), parameter :: names(4) = [character(len=12) :: 'small angle', 'to k^2', &
       'to k^4', 'to k^6']
-   character(len=*), parameter :: looks(4) = [character(len=40) :: &
-      'lw 2 dt (3, 4) lc rgb "#000000"', 'lw 2 dt (12, 4) lc rgb "#009E73"', &
-      'lw 2 dt (12, 4, 2, 4) lc rgb "#D55E00"', 'lw 2 dt (5, 3) lc rgb "#0072B2"']
+   character(len=*), parameter :: looks(4) = [character(len=48) :: &
+      'lines lw 2 dt (3, 4) lc rgb "#000000"', 'lines lw 2 dt (12, 4) lc rgb "#009E73"', &
+      'lines lw 2 dt (12, 4, 2, 4) lc rgb "#D55E00"', 'lines lw 2 dt (5, 3) lc rgb "#0072B2"']
 
 
 contains
@@ -26,22 +26,21 @@ contains
 
    subroutine period_figure(self)
       type(figure), intent(out) :: self
-      character(len=:), allocatable :: curves
       real(wp) :: amplitude(360), partial(360)
       real(wp) :: slower
       integer :: n
 
       amplitude = ramp(0.0_wp, 179.5_wp, 359)
       call self%begin('amplitude_deg', 'period_ratio')
-      curves = ''
       do n = 1, size(names)
          partial = period_ratio_series(amplitude*degree, n)
          call self%add(trim(names(n)), amplitude, partial)
-         curves = curves // self%last() // ' using 2:3 with lines ' // trim(looks(n)) // ', '
-         call self%say('set label "' // trim(labels(n)) // '" at 182, ' // fixed(partial(360), 4) // ' left')
+         call self%draw(trim(looks(n)))
+         call self%say('set label "' // trim(labels(n)) // '" at 182, ' // &
+            to_text(partial(size(partial))) // ' left')
       end do
       call self%add('exact', amplitude, period_ratio(amplitude*degree))
-      curves = curves // self%last() // ' using 2:3 with lines lw 3 lc rgb "#000000"'
+      call self%draw('lines lw 3 lc rgb "#000000"')
       slower = amplitude_of_excess(0.03_wp)/degree
 
       call self%say('set rmargin 17')
@@ -54,7 +53,7 @@ contains
       call self%say('set label "exact: (2/π) <K>(<k>)" at 166, 2.5 right')
       call self%say('set label "<k> = sin(<θ>_0/2)" at 182, 1.75 left')
       call self%say('set multiplot')
-      call self%say('plot ' // curves)
+      call self%plot(again=.true.)
 
       call self%say('unset label')
       call self%say('unset title')
@@ -72,7 +71,7 @@ contains
       call self%say('set arrow from ' // fixed(slower, 4) // ', 1.03 to ' // fixed(slower, 4) // &
          ', 0.995 nohead lw 1')
       call self%say('set label "3 % longer at ' // fixed(slower, 2) // '°" at 2, 1.034 left')
-      call self%say('plot ' // curves)
+      call self%plot()
       call self%say('unset multiplot')
    end subroutine period_figure
 

@@ -194,7 +194,8 @@ contains
          ! A little more than the size, since pdfcairo cuts off to whole points
          write(inches, '(f0.4, a, f0.4, a)') (self%width + 0.1_wp)/pixels_per_inch, 'in,', &
             (self%height + 0.1_wp)/pixels_per_inch, 'in'
-         text = 'pdfcairo size ' // trim(inches) // " font 'sans-serif,8' fontscale 1 linewidth 1.5 dashlength 1.8"
+         text = 'pdfcairo size ' // trim(inches) // " font 'sans-serif,8' fontscale 1" // &
+            ' linewidth 1.5 dashlength 1.8'
       end select
       text = text // " background '#ffffff'"
    end function terminal_of
