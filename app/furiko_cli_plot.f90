@@ -35,7 +35,7 @@ module furiko_cli_plot
       entry('motion', 'angle against time, exact and harmonic', '0.1rad,0.3rad,1rad', 5), &
       entry('period', 'period against amplitude, its series, where it is 3 % longer', '', 0), &
       entry('drift', 'ten swings beside a small-angle clock, which is 3 % faster', '', 1), &
-      entry('converge', 'error of K against work: series, trapezoidal rule, AGM', '60,170', 3), &
+      entry('converge', 'error of K against work: series, trapezoidal rule, AGM', '60,170', 2), &
       entry('energy', 'drift of the energy: Runge-Kutta and symplectic methods', '1rad', 1), &
       entry('accuracy', 'error of K next to 180 degrees by k, m and mc', '', 0)]
 
@@ -45,7 +45,7 @@ module furiko_cli_plot
       'furiko plot --list' // nl // nl // &
       'Draws a figure with gnuplot, as SVG, PNG or PDF by the ending of FILE.' // nl // nl // &
       '  -o, --output FILE    the picture: .svg, .png or .pdf; an old one is replaced' // nl // &
-      '  --size WxH           width and height in pixels, 200 to 8000, 96 to the inch (800x500)' // nl // &
+      '  --size WxH           width and height in pixels, 300 to 8000, 96 to the inch (800x500)' // nl // &
       '  --title TEXT         a line above the picture (none)' // nl // &
       '  --amplitude LIST     amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad' // nl // &
       '  --data               leave the data (.csv) and the script (.gp) beside FILE' // nl // nl // &
@@ -102,6 +102,7 @@ contains
       if (file == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
       call check_text('-o', file)
       call check_text('--title', title)
+      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
       if (.not. is_picture_name(file)) then
          call reject("-o '" // file // "' does not end in .svg, .png or .pdf")
       end if
@@ -194,8 +195,8 @@ contains
          read(word(:cross - 1), '(i9)', iostat=stat) extent(1)
          if (stat == 0) read(word(cross + 1:), '(i9)', iostat=stat) extent(2)
       end if
-      if (stat == 0 .and. all(extent >= 200 .and. extent <= 8000)) return
-      call reject("--size '" // word // "' is not as 800x500, each from 200 to 8000 pixels")
+      if (stat == 0 .and. all(extent >= 300 .and. extent <= 8000)) return
+      call reject("--size '" // word // "' is not as 800x500, each from 300 to 8000 pixels")
    end subroutine read_size
 
 
@@ -243,6 +244,38 @@ contains
          call reject(option // ' has a control character in it')
       end if
    end subroutine check_text
+
+
+   !> Whether every lead byte has its continuation bytes: an SVG file may hold nothing else.
+   pure function is_utf8(text)
+      character(len=*), intent(in) :: text
+      logical :: is_utf8
+      integer :: byte, expected, i
+
+      is_utf8 = .false.
+      expected = 0
+      do i = 1, len(text)
+         byte = iachar(text(i:i))
+         if (expected > 0) then
+            if (byte < 128 .or. byte > 191) return
+            expected = expected - 1
+         else
+            select case (byte)
+            case (0:127)
+               expected = 0
+            case (194:223)
+               expected = 1
+            case (224:239)
+               expected = 2
+            case (240:244)
+               expected = 3
+            case default
+               return
+            end select
+         end if
+      end do
+      is_utf8 = expected == 0
+   end function is_utf8
 
 
    subroutine reject(message)

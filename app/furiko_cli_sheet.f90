@@ -100,7 +100,8 @@ contains
       real(wp), intent(in) :: x
       character(len=*), intent(in) :: style
       character(len=:), allocatable :: text
-      character(len=400) :: buffer
+      character(len=40) :: buffer
+      character(len=400) :: long
       integer :: width
 
       width = width_of(style)
@@ -108,12 +109,16 @@ contains
          write(buffer, '(' // style // ')') nint(x, int64)
       else if (width > 0) then
          write(buffer, '(' // style // ')') x
+      else if (abs(x) < 1.0e20_wp) then
+         write(buffer, '(f40.' // style(4:) // ')') x
+         width = 0
       else
-         write(buffer, '(f390.' // style(4:) // ')') x
-         buffer = adjustl(buffer)
-         width = len_trim(buffer)
+         write(long, '(f400.' // style(4:) // ')') x
+         text = trim(adjustl(long))
+         return
       end if
-      text = buffer(:width)
+      text = buffer(verify(buffer, ' '):)
+      if (width > 0) text = buffer(:width)
    end function fixed
 
 

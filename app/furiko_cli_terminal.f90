@@ -10,7 +10,7 @@ module furiko_cli_terminal
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char, c_null_ptr, c_ptr
    implicit none
    private
-   public :: put, finish, refuse, complain, complain_of_system, leave
+   public :: put, finish, refuse, fail, complain, say_why, quit
 
 
    interface
@@ -49,13 +49,13 @@ contains
    subroutine put(line)
       character(len=*), intent(in) :: line
 
-      if (c_puts(line // c_null_char) < 0) call give_up()
+      if (c_puts(line // c_null_char) < 0) call fail('the output')
    end subroutine put
 
 
    !> Flush standard output: a full disk may show only now.
    subroutine finish()
-      if (c_fflush(c_null_ptr) /= 0) call give_up()
+      if (c_fflush(c_null_ptr) /= 0) call fail('the output')
    end subroutine finish
 
 
@@ -64,14 +64,25 @@ contains
       character(len=*), intent(in) :: message
 
       call complain(message)
-      call leave(2)
+      call quit(2)
    end subroutine refuse
 
 
-   subroutine give_up()
-      call complain_of_system('furiko: cannot write the output')
-      call leave(1)
-   end subroutine give_up
+   !> Answer that something cannot be written; does not return.
+   subroutine fail(what)
+      character(len=*), intent(in) :: what
+
+      call say_why(what)
+      call quit()
+   end subroutine fail
+
+
+   !> Say that something cannot be written, and why, as the C library knows it.
+   subroutine say_why(what)
+      character(len=*), intent(in) :: what
+
+      call c_perror('furiko: cannot write ' // what // c_null_char)
+   end subroutine say_why
 
 
    !> Write one line to standard error.
@@ -82,19 +93,12 @@ contains
    end subroutine complain
 
 
-   !> The same, with the reason why the system's last call failed.
-   subroutine complain_of_system(message)
-      character(len=*), intent(in) :: message
+   !> End with an exit code, that of what could not be written if none is given.
+   subroutine quit(code)
+      integer, intent(in), optional :: code
 
-      call c_perror(message // c_null_char)
-   end subroutine complain_of_system
-
-
-   !> End with an exit code; does not return.
-   subroutine leave(code)
-      integer, intent(in) :: code
-
-      call c_exit(int(code, c_int))
-   end subroutine leave
+      if (present(code)) call c_exit(int(code, c_int))
+      call c_exit(1_c_int)
+   end subroutine quit
 
 end module furiko_cli_terminal

@@ -31,7 +31,7 @@ contains
       call self%say('set xrange [0.9:10000]')
       call self%say('set yrange [3e-17:10]')
       call self%say('set ytics 1e-16, 100, 1')
-      call self%say('set xtics 10')
+      call self%say('set xtics 100')
       call self%say('unset mytics')
       call self%say('set xlabel "terms, subintervals, steps"')
       call self%say('set ylabel "relative error of <K>" offset 1')

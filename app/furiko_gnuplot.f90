@@ -8,7 +8,7 @@ module furiko_gnuplot
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_cli_files, only : can_replace, enter_folder, folder_of, make_folder, move_file, name_of, &
       process_id, remove_file, tail_of, write_file
-   use furiko_cli_terminal, only : complain, complain_of_system, leave
+   use furiko_cli_terminal, only : complain, fail, quit, say_why
    use furiko_figure, only : figure, to_text
    implicit none
    private
@@ -74,14 +74,12 @@ contains
       self%width = width
       self%height = height
       if (.not. can_replace(path)) then
-         call complain('furiko plot: cannot write ' // path // ': it is a folder, or write-protected')
-         call leave(1)
+         call complain('furiko: cannot write ' // path // ': it is a folder, or write-protected')
+         call quit()
       end if
       call make_folder(folder_of(path) // self%work, done)
       if (done) call enter_folder(folder_of(path) // self%work, done)
-      if (done) return
-      call complain_of_system('furiko plot: cannot write ' // path)
-      call leave(1)
+      if (.not. done) call fail(path)
    end subroutine begin_picture
 
 
@@ -99,16 +97,17 @@ contains
       call write_file(self%stem // '.csv', content%csv(), done)
       if (done) call write_file(script_name, script_of(self, content, title), done)
       if (.not. done) call give_up(self)
-      ! Asked for since flang stops at a command's own exit code otherwise
+      ! A terminal of the user's that it does not have can crash gnuplot; cmdstat is asked for since
+      ! flang stops at a command's own exit code otherwise
       ! allow(C181)
-      call execute_command_line('gnuplot -d ' // script_name // ' >' // log_name // ' 2>&1', &
+      call execute_command_line('GNUTERM=unknown gnuplot -d ' // script_name // ' >' // log_name // ' 2>&1', &
          exitstat=code, cmdstat=ignored)
       if (keep .or. code == not_found) call keep_data(self)
       if (code == not_found) then
          call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &
             'install gnuplot-nox, then, in ' // folder_of(self%path) // ': gnuplot ' // self%stem // '.gp')
          call clear(self)
-         call leave(3)
+         call quit(3)
       end if
 
       done = code == 0 .and. index(tail_of(self%name, 16), trim(closings(self%form))) > 0
@@ -116,7 +115,7 @@ contains
          call complain('furiko plot: gnuplot drew no whole ' // self%path // ': ' // &
             last_line(tail_of(log_name, 1000)))
          call clear(self)
-         call leave(1)
+         call quit()
       end if
       call move_file(self%name, '../' // self%name, done)
       if (.not. done) call give_up(self)
@@ -243,9 +242,9 @@ contains
    subroutine give_up(self)
       type(picture), intent(in) :: self
 
-      call complain_of_system('furiko plot: cannot write ' // self%path)
+      call say_why(self%path)
       call clear(self)
-      call leave(1)
+      call quit()
    end subroutine give_up
 
 

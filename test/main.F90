@@ -5,6 +5,7 @@
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
+   use test_animate, only : collect_animate
    use test_classics_dp, only : collect_classics_dp => collect_classics
 #ifdef __GFC_REAL_16__
    use test_classics_qp, only : collect_classics_qp => collect_classics
@@ -44,6 +45,7 @@ program main
       new_testsuite('cli', collect_cli), &
       new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
+      new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &

@@ -78,7 +78,9 @@ contains
          'motion -o x.svg --amplitude 1,2,3,4,5,6', 'drift -o x.svg --amplitude 1,2', &
          'energy -o x.svg --amplitude 1,2', 'period -o x.svg --amplitude 1', &
          'accuracy -o x.svg --amplitude 1', 'phase -o x.svg --title "$(printf "a\nb")"', &
-         'phase -o "$(printf "a\nb.svg")"', 'phase -o x.svg --title "$(printf "\033")"']
+         'phase -o "$(printf "a\nb.svg")"', 'phase -o x.svg --title "$(printf "\033")"', &
+         'phase -o x.svg --title "$(printf "a\377b")"', 'phase -o x.svg --title "$(printf "\303")"', &
+         'converge -o x.svg --amplitude 1,2,3']
       character(len=:), allocatable :: errors, output
       integer :: code, i
 
@@ -101,11 +103,11 @@ contains
 
       call run_inside('furiko plot phase -o none/x.svg', output, errors, code)
       call check(error, code == 1 .and. output == '' .and. line_count(errors) == 1 .and. &
-         index(errors, 'furiko plot: cannot write none/x.svg: ') == 1, errors)
+         index(errors, 'furiko: cannot write none/x.svg: ') == 1, errors)
       if (allocated(error)) return
       call run_inside('mkdir x.svg; furiko plot phase -o x.svg', output, errors, code)
       call check(error, code == 1 .and. output == 'x.svg' // nl .and. line_count(errors) == 1 .and. &
-         index(errors, 'furiko plot: cannot write x.svg: it is a folder') == 1, errors)
+         index(errors, 'furiko: cannot write x.svg: it is a folder') == 1, errors)
    end subroutine test_places
 
 
@@ -188,8 +190,9 @@ contains
 
       if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
       if (allocated(error)) return
-      call run_inside('furiko plot period --title "it''s \`touch y\` \$(touch y) <b> & {/Bold x} %d θ_0"' &
-         // ' -o "it''s \$(touch y) \`touch y\` ; <b>.svg" --data && mv *.svg x.svg', output, errors, code)
+      call run_inside('export GNUTERM=x11; furiko plot period --title "it''s \`touch y\` \$(touch y) <b>' // &
+         ' & {/Bold x} %d θ_0" -o "it''s \$(touch y) \`touch y\` ; <b>.svg" --data && ' // &
+         'mv *.svg x.svg', output, errors, code)
       call check(error, code == 0 .and. output == "it's $(touch y) `touch y` ; <b>.csv" // nl // &
          "it's $(touch y) `touch y` ; <b>.gp" // nl // 'x.svg' // nl, output // errors)
       if (allocated(error)) return

@@ -5,7 +5,7 @@ module furiko_jacobi_inverse_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
    use furiko_duplication_sp, only : lanes, rf_of_roots
-   use furiko_legendre_sp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_sp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       sqrt, scale
    implicit none
@@ -19,7 +19,7 @@ module furiko_jacobi_inverse_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
    use furiko_duplication_dp, only : lanes, rf_of_roots
-   use furiko_legendre_dp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_dp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       sqrt, scale
    implicit none
@@ -34,7 +34,7 @@ module furiko_jacobi_inverse_qp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
    use furiko_duplication_qp, only : lanes, rf_of_roots
-   use furiko_legendre_qp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_qp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       sqrt, scale
    implicit none

@@ -6,7 +6,7 @@ module furiko_jacobi_zeta_sp
       ieee_positive_inf
    use furiko_fold_sp, only : fold
    use furiko_duplication_sp, only : lanes, rj_of_roots
-   use furiko_legendre_sp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(*), operator(/), &
       sqrt, scale, pi_words
    implicit none
@@ -21,7 +21,7 @@ module furiko_jacobi_zeta_dp
       ieee_positive_inf
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes, rj_of_roots
-   use furiko_legendre_dp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(*), operator(/), &
       sqrt, scale, pi_words
    implicit none
@@ -37,7 +37,7 @@ module furiko_jacobi_zeta_qp
       ieee_positive_inf
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes, rj_of_roots
-   use furiko_legendre_qp, only : parameters, by_k, by_m, by_mc
+   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(*), operator(/), &
       sqrt, scale, pi_words
    implicit none

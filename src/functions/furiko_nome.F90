@@ -4,7 +4,7 @@ module furiko_nome_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
-   use furiko_legendre_sp, only : parameters, by_k
+   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
@@ -17,7 +17,7 @@ module furiko_nome_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
-   use furiko_legendre_dp, only : parameters, by_k
+   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
@@ -31,7 +31,7 @@ module furiko_nome_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
       ieee_positive_inf
-   use furiko_legendre_qp, only : parameters, by_k
+   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none
