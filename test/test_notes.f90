@@ -106,18 +106,16 @@ contains
    !> GSL's elliptic functions as there
    subroutine test_furiko_c(error)
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: amplitudes(3) = ['0.1', '0.3', '1.0']
-      character(len=:), allocatable :: errors, output
-      real(wp) :: amplitude
+      real(wp), parameter :: amplitudes(3) = [0.1_wp, 0.3_wp, 1.0_wp]
+      character(len=:), allocatable :: amplitude, errors, output
       integer :: code, i
 
       do i = 1, size(amplitudes)
-         call run_program('motion --amplitude ' // amplitudes(i) // 'rad --gravity 9.8', output, errors, &
-            code)
+         amplitude = as_text(amplitudes(i), '(f3.1)') // 'rad'
+         call run_program('motion --amplitude ' // amplitude // ' --gravity 9.8', output, errors, code)
          call check(error, code, 0, errors)
          if (allocated(error)) return
-         read(amplitudes(i), *) amplitude
-         call check(error, output, furiko_c(amplitude), amplitudes(i) // ' rad')
+         call check(error, output, furiko_c(amplitudes(i)), amplitude)
          if (allocated(error)) return
       end do
    end subroutine test_furiko_c
