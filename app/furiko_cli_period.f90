@@ -222,9 +222,11 @@ contains
       character(len=*), intent(in) :: command
       character(len=*), intent(in) :: word
       type(double_word) :: amplitude
+      type(double_word) :: beyond
 
       amplitude = angle_of(command // ': the amplitude', word)
-      if (amplitude%hi < 0.0_wp .or. .not. amplitude%hi < double_word_pi%hi) then
+      beyond = amplitude - double_word_pi
+      if (amplitude%hi < 0.0_wp .or. .not. beyond%hi < 0.0_wp) then
          call refuse(command // ': the amplitude ' // word // ' is outside 0 <= A < 180 degrees')
       end if
    end function swing_of

@@ -42,6 +42,7 @@ contains
       self%columns(:) = columns
       self%styles(:) = styles
       line = ''
+      width = 0
       do i = 1, size(columns)
          if (form == 'csv') line = line // ',' // trim(columns(i))
          width = width_of(styles(i))
