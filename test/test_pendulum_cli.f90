@@ -14,7 +14,7 @@ module test_pendulum_cli
 
    !> One of each command with rows
    character(len=*), parameter :: samples(*) = [character(len=110) :: &
-      'motion --amplitude 100 --to 1 --step .25 --columns time,angle,harmonic,rate,energy,tension,turns,phase', &
+      'motion --amplitude 99 --to 1 --step .5 --columns time,angle,harmonic,rate,energy,tension,turns,phase', &
       'motion --release 1rad --to 1 --step .5', &
       'motion --angle 10 --rate 7 --to 1 --step .5', &
       'period 45 1rad 0 --terms 3', &
@@ -264,7 +264,7 @@ contains
          '--off 1,--length 2,--gravity 1,--format csv,--format json', &
          '--k 0.7,--steps 3,--format csv,--format json', &
          '--terms 2,--format csv,--format json', &
-         '--amplitude 2,--method verlet,--steps 50,--periods 2,--every 50,--linear .1,--quadratic .1,--drive 1', &
+         '--amplitude 2,--method verlet,--steps 50,--periods 2,--every 50,--linear .1,--quadratic 1', &
          '--rate 1,--length 2,--gravity 1,--format csv,--format json,--drive 1 --drive-frequency 2']
       character(len=:), allocatable :: errors, option, output, plain, rest
       integer :: code, comma, i
@@ -399,8 +399,8 @@ contains
          'amplitude --slower 3deg', 'amplitude 3', 'converge 3', &
          'drift', 'drift --amplitude 180', 'drift --slower -1', 'drift --amplitude 20 --off 0', &
          'drift --amplitude 20 --off -1', 'drift --amplitude 20 --gravity 0', &
-         'drift --amplitude 0', 'converge --k 1', 'converge --k -1.5', 'converge --k NaN', 'converge --steps 0', &
-         'converge --steps 1e300', &
+         'drift --amplitude 0', 'converge --k 1', 'converge --k -1.5', 'converge --k NaN', &
+         'converge --steps 0', 'converge --steps 1e300', &
          'perimeter', 'perimeter 2 -1', 'perimeter 1 NaN', 'perimeter 1 1e999', &
          'perimeter 1 2 3', 'perimeter 1 2 --terms 0', &
          'rk4 --amplitude 180', 'rk4 --method euler', 'rk4 --steps 0', 'rk4 --periods -1', &
