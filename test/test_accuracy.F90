@@ -93,8 +93,9 @@ module test_accuracy
       promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
       promise('carlson', '', [2.0, 2.0, 2.0], [3.0, 3.0, 2.0]), &
       promise('period', '', [2.0, 2.0, 4.0]), &
-      promise('period_excess', '', [3.0, 3.0, 3.0]), &
-      promise('amplitude_of', '', [4.0, 4.0, 4.0]), &
+      promise('period_excess', '', [6.0, 6.0, 4.0]), &
+      promise('amplitude_of_excess', '', [4.0, 4.0, 4.0]), &
+      promise('amplitude_of_period', '', [5.0, 5.0, 4.0]), &
       promise('nome', '', [1.0, 1.0, 1.0]), &
       promise('theta', '', [1.0, 1.0, 1.0]), &
       promise('jacobi', '', [5.0, 5.0, 5.0]), &

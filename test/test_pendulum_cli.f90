@@ -14,7 +14,7 @@ module test_pendulum_cli
 
    !> One of each command with rows
    character(len=*), parameter :: samples(*) = [character(len=110) :: &
-      'motion --amplitude 100 --to 1 --step .25 --columns time,angle,harmonic,rate,energy,tension,turns,phase', &
+      'motion --amplitude 99 --to 1 --step .5 --columns time,angle,harmonic,rate,energy,tension,turns,phase', &
       'motion --release 1rad --to 1 --step .5', &
       'motion --angle 10 --rate 7 --to 1 --step .5', &
       'period 45 1rad 0 --terms 3', &
@@ -88,8 +88,8 @@ contains
       if (allocated(error)) return
       call check(error, abs(row(6) - cos(row(2)) - row(4)**2/9.80665_wp) <= 1.0e-5_wp)
       if (allocated(error)) return
-      call expect(error, 'motion --release 90 --to 0 --columns phase,tension,turns', &
-         '0.250000 0.000000 0.000000' // nl)
+      call expect(error, 'motion --release 60 --to 0 --columns phase,tension,turns', &
+         '0.250000 0.500000 0.000000' // nl)
    end subroutine test_columns
 
 
@@ -134,7 +134,7 @@ contains
       if (allocated(error)) return
       call first_row(error, 'amplitude --slower 1/10', row)
       if (allocated(error)) return
-      call check(error, abs(row(1) - 69.2_wp) < 0.1_wp)
+      call check(error, abs(row(1) - 69.32514596387685_wp) <= 1.0e-13_wp)
    end subroutine test_amplitude
 
 
@@ -264,7 +264,7 @@ contains
          '--off 1,--length 2,--gravity 1,--format csv,--format json', &
          '--k 0.7,--steps 3,--format csv,--format json', &
          '--terms 2,--format csv,--format json', &
-         '--amplitude 2,--method verlet,--steps 50,--periods 2,--every 50,--linear .1,--quadratic .1,--drive 1', &
+         '--amplitude 2,--method verlet,--steps 50,--periods 2,--every 50,--linear .1,--quadratic 1', &
          '--rate 1,--length 2,--gravity 1,--format csv,--format json,--drive 1 --drive-frequency 2']
       character(len=:), allocatable :: errors, option, output, plain, rest
       integer :: code, comma, i
@@ -291,6 +291,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: errors, header, output
       real(wp), allocatable :: csv(:), text(:)
+      real(wp) :: off
       integer :: code, i
 
       do i = 1, size(samples)
@@ -307,7 +308,9 @@ contains
          text = numbers_of(output)
          call check(error, size(csv) == size(text) .and. size(csv) > 0, samples(i))
          if (allocated(error)) return
-         call check(error, all(abs(csv - text) <= 1.0e-6_wp*max(1.0_wp, abs(csv))), samples(i))
+         ! errors have two digits
+         off = merge(0.05_wp, 1.0e-6_wp, index(samples(i), 'converge') == 1)
+         call check(error, all(abs(csv - text) <= off*abs(csv) + 1.0e-6_wp), samples(i))
          if (allocated(error)) return
       end do
    end subroutine test_csv
@@ -380,12 +383,11 @@ contains
       character(len=*), parameter :: commands(*) = [character(len=45) :: &
          'motion', 'motion --amplitude', 'motion --amplitude 180', 'motion --amplitude -180', &
          'motion --amplitude NaN', 'motion --amplitude 1e300', 'motion --amplitude 1grad', &
-         'motion --amplitude 1 --release 2', 'motion --amplitude 1 --rate 2', 'motion --rate 2', &
          'motion --angle 1 --rate 1e300', 'motion --angle 1 --rate 1deg', 'motion --angle 1e300', &
          'motion --amplitude 1 --to -1', 'motion --amplitude 1 --to 1e300', &
          'motion --amplitude 1 --to 5parsec', 'motion --amplitude 1 --step 0', &
          'motion --amplitude 1 --step -1', 'motion --amplitude 1 --step NaN', &
-         'motion --amplitude 1 --step 1e-300', 'motion --amplitude 1 --from 5 --to 1', &
+         'motion --amplitude 1 --step 1e-300', &
          'motion --amplitude 1 --length -1', 'motion --amplitude 1 --length 0', &
          'motion --amplitude 1 --length 1e300', 'motion --amplitude 1 --length 3ft', &
          'motion --amplitude 1 --gravity NaN', 'motion --amplitude 1 --gravity -9.8', &
@@ -394,33 +396,34 @@ contains
          'period', 'period 180', 'period -1', 'period 1e300', 'period nan', 'period 3.2rad', &
          'period 45 --terms 0', 'period 45 --terms 1e9', 'period 45 --length -1', 'period --nosuch', &
          'amplitude', 'amplitude --slower 0', 'amplitude --slower -3%', 'amplitude --slower NaN', &
-         'amplitude --slower 3deg', 'amplitude 3', &
+         'amplitude --slower 3deg', 'amplitude 3', 'converge 3', &
          'drift', 'drift --amplitude 180', 'drift --slower -1', 'drift --amplitude 20 --off 0', &
          'drift --amplitude 20 --off -1', 'drift --amplitude 20 --gravity 0', &
-         'drift --amplitude 20 --slower 3%', 'drift --amplitude 0', &
-         'converge --k 1', 'converge --k -1.5', 'converge --k NaN', 'converge --steps 0', &
-         'converge --steps 1e300', 'converge 3', &
-         'perimeter', 'perimeter 1', 'perimeter -1 2', 'perimeter 1 NaN', 'perimeter 1 1e999', &
+         'drift --amplitude 0', 'converge --k 1', 'converge --k -1.5', 'converge --k NaN', &
+         'converge --steps 0', 'converge --steps 1e300', &
+         'perimeter', 'perimeter 2 -1', 'perimeter 1 NaN', 'perimeter 1 1e999', &
          'perimeter 1 2 3', 'perimeter 1 2 --terms 0', &
          'rk4 --amplitude 180', 'rk4 --method euler', 'rk4 --steps 0', 'rk4 --periods -1', &
          'rk4 --every 0', 'rk4 --linear NaN', &
          'digits --k 1', 'digits --k NaN', 'digits --digits 34', 'digits --digits 0']
+      !> Words that do not go together
+      character(len=*), parameter :: combinations(*) = [character(len=45) :: &
+         'motion --amplitude 1 --release 2', 'motion --amplitude 1 --rate 2', 'motion --rate 2', &
+         'motion --amplitude 1 --from 5 --to 1', 'drift --amplitude 20 --slower 3%', 'perimeter 1']
       character(len=:), allocatable :: errors, output, word
       integer :: code, i
 
       do i = 1, size(commands)
-         call run_program(trim(commands(i)), output, errors, code)
-         call check(error, code, 2, trim(commands(i)))
-         if (allocated(error)) return
-         call check(error, output, '', trim(commands(i)))
-         if (allocated(error)) return
          word = trim(commands(i))
-         call check(error, line_count(errors) == 1 .and. index(errors, 'furiko ' // &
-            word(:index(word // ' ', ' ') - 1) // ': ') == 1, trim(commands(i)) // ': ' // errors)
+         call expect_refusal(error, word, errors)
          if (allocated(error)) return
          word = word(index(word, ' ', back=.true.) + 1:)
-         if (scan(word, '0123456789') == 0 .or. word == trim(commands(i))) cycle
+         if (scan(word, '0123456789') == 0) cycle
          call check(error, index(errors, word) > 0, trim(commands(i)) // ': ' // errors)
+         if (allocated(error)) return
+      end do
+      do i = 1, size(combinations)
+         call expect_refusal(error, trim(combinations(i)), errors)
          if (allocated(error)) return
       end do
    end subroutine test_refusals
@@ -456,6 +459,21 @@ contains
       call run_program(arguments, output, errors, code)
       call check(error, output // errors, answer, arguments)
    end subroutine expect
+
+
+   !> Code 2 and one line by the command's name
+   subroutine expect_refusal(error, arguments, errors)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: arguments
+      character(len=:), allocatable, intent(out) :: errors
+      character(len=:), allocatable :: command, output
+      integer :: code
+
+      call run_program(arguments, output, errors, code)
+      command = 'furiko ' // arguments(:index(arguments // ' ', ' ') - 1) // ': '
+      call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1 .and. &
+         index(errors, command) == 1, arguments // ': ' // errors)
+   end subroutine expect_refusal
 
 
    !> The numbers of the first row below the header
