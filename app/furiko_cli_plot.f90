@@ -161,6 +161,7 @@ contains
       type(entry) :: chosen
       integer :: i
 
+      chosen = entry('', '', '', 0)
       do i = 1, size(figures)
          if (figures(i)%name == name) then
             chosen = figures(i)

@@ -53,20 +53,18 @@ contains
       real(wp) :: exact, m, mc
       real(wp), dimension(12) :: a, b, c, k, e
       integer :: i
-      integer, allocatable :: n(:)
 
       ! Both exact: m = 1 - mc without rounding
       m = 1 - cos(amplitude_%radians/2)**2
       mc = 1 - m
       exact = ellipk_mc(mc)
-      allocate(n, source=counts())
-      call add_method('power series', ellipk_series_m(m, n), 'lines lw 2 dt (12, 4) lc rgb "#D55E00"')
-      call add_method('trapezoidal rule', ellipk_trapezoid_mc(mc, n), &
+      call add_method('power series', counts(), ellipk_series_m(m, counts()), &
+         'lines lw 2 dt (12, 4) lc rgb "#D55E00"')
+      call add_method('trapezoidal rule', counts(), ellipk_trapezoid_mc(mc, counts()), &
          'lines lw 2 dt (4, 3) lc rgb "#0072B2"')
       call agm_steps_mc(mc, a, b, c, k, e)
-      deallocate(n)
-      allocate(n, source=[(i, i=1, size(k) - 1)])
-      call add_method('AGM', k(2:), 'linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000"')
+      call add_method('AGM', [(i, i=1, size(k) - 1)], k(2:), &
+         'linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000"')
       call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // &
          '" at graph 0, 1 offset 0, 0.8 left')
       call self%plot()
@@ -74,8 +72,9 @@ contains
    contains
 
       !> Add the curve of a method up to where it meets the rounding.
-      subroutine add_method(name, values, look)
+      subroutine add_method(name, n, values, look)
          character(len=*), intent(in) :: name
+         integer, intent(in) :: n(:)
          real(wp), intent(in) :: values(:)
          character(len=*), intent(in) :: look
          real(wp) :: errors(size(values))
@@ -98,6 +97,7 @@ contains
       integer, allocatable :: n(:)
       integer :: i
 
+      allocate(n(40))
       n = [(i, i=1, 40)]
       do while (n(size(n)) < most_work)
          n = [n, min(most_work, n(size(n)) + n(size(n))/13)]

@@ -47,7 +47,7 @@ contains
             to_text(drifts(size(drifts))) // ' left')
       end do
 
-      call self%say('set rmargin 25')
+      call self%say('set rmargin 27')
       call self%say('set xlabel "swings of ' // amplitude_%label // '  (' // &
          to_text(sines_per_swing) // ' sines in each)"')
       call self%say('set ylabel "energy error  |Δ<E>| / <E>"')

@@ -35,7 +35,7 @@ contains
       call add_rotation('separatrix', 2.0_wp, -1.0_wp, self)
 
       call self%say('set xlabel "angle <θ>  (degrees)"')
-      call self%say('set ylabel "angular rate  d<θ>/d<t> / √(<g>/<l>)" offset 1')
+      call self%say('set ylabel "angular rate  d<θ>/d<t> / √(<g>/<l>)"')
       call self%say('set cblabel "energy above rest  <E>/(<mgl>)" offset 0.5')
       call self%say('set xrange [-360:360]')
       call self%say('set yrange [-3.1:3.1]')
