@@ -5,9 +5,9 @@
 usage: make_complete_coefficients.py [folder]       (needs mpmath; the output depends on this file only)
 
 With x = mc, A = ln 4 + |ln x|/2, and 2^4 segments in each octave of x:
-  near  2^-6 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
+  near  2^-10 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
         The centre is chosen close to the middle, such that c0 and c1 happen to be machine numbers
-        to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45).
+        to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45); 1 - centre is one, too.
   far   K = A + x (A S - T),  D = A - 1 + x (A S - T),
         E = 1 + x (A/2 - 1/4 + x (A S - T)),  B = 1 + x (3/4 - A/2 + x (A S - T)), x < 2^-6:
         S and T polynomials in x (DLMF 19.12.1, 19.12.2); above 2^6 through 1/x.
@@ -21,7 +21,8 @@ import sys
 import mpmath as mp
 
 mp.mp.prec = 400
-OCTAVES, SEGMENTS = 6, 16          # octaves on either side of 1, segments in each
+BELOW, ABOVE = 10, 6               # octaves below and above 1
+SEGMENTS = 16                      # in each
 TRIALS = 512                       # centres tried for each row
 
 
@@ -38,7 +39,7 @@ class Kind:
         return mp.ldexp(mp.nint(mp.ldexp(v, -e)), e)
 
 
-KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 9, 6, 6, 6, 42)]
+KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 8, 6, 6, 6, 42)]
 
 
 def ke(x):
@@ -96,10 +97,13 @@ def shifted(c, d):
 def row(kind, lo, hi, c):
     """centre and coefficients of one segment"""
     mid, h = (lo + hi)/2, (hi - lo)/2
-    step = mp.ldexp(2**max(6, kind.digits - 30) + 1, mp.frexp(mid)[1] - kind.digits)
+    exponent = mp.frexp(mid)[1]
+    step = mp.ldexp(int(mp.ldexp(1, max(6, kind.digits - 30) + min(exponent, 0))) | 1,
+                    max(exponent, 0) - kind.digits)
+    trials = min(TRIALS, int(h/step/2))
     best, where = mp.inf, 0
-    for i in range(TRIALS):
-        d = (i - TRIALS//2)*step
+    for i in range(trials):
+        d = (i - trials//2)*step
         c0, c1 = c[0] + d*(c[1] + d*(c[2] + d*c[3])), c[1] + d*(2*c[2] + 3*d*c[3])
         bad = abs(c0 - kind.round(c0)) + h*abs(c1 - kind.round(c1))
         if bad < best:
@@ -157,13 +161,13 @@ def split(kind, v):
 
 
 def write(kind, folder):
-    out = ['! Written by tools/generate_complete.py: do not edit.\n',
-           f'   integer, parameter :: octaves = {OCTAVES}\n',
+    out = ['! Written by tools/make_complete_coefficients.py: do not edit.\n',
+           f'   integer, parameter :: octaves_below = {BELOW}, octaves_above = {ABOVE}\n',
            f'   integer, parameter :: segment_bits = {SEGMENTS.bit_length() - 1}\n',
            f'   integer, parameter :: near_degree = {kind.near}\n']
     near = Interpolation(kind.near)
     rows = {f: [] for f in 'kebd'}
-    for j in range(-OCTAVES, OCTAVES):
+    for j in range(-BELOW, ABOVE):
         for i in range(SEGMENTS):
             lo, hi = [mp.ldexp(1 + mp.mpf(s)/SEGMENTS, j) for s in (i, i + 1)]
             values = [integrals(x) for x in near.nodes(lo, hi)]
@@ -176,7 +180,7 @@ def write(kind, folder):
     for f in 'kebd':
         out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 4 if kind.digits > 24 else 2))
     far = Interpolation(kind.far)
-    lo, hi = mp.mpf(0), mp.ldexp(1, -OCTAVES)
+    lo, hi = mp.mpf(0), mp.ldexp(1, -ABOVE)
     values = [smooth(x) for x in far.nodes(lo, hi)]
     for f in 'kebd':
         for which, name in enumerate(('s', 't')):
