@@ -10,7 +10,7 @@ module furiko_cli_terminal
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char, c_null_ptr, c_ptr
    implicit none
    private
-   public :: put, finish, refuse
+   public :: put, finish, refuse, fail, say_why, quit
 
 
    interface
@@ -49,13 +49,13 @@ contains
    subroutine put(line)
       character(len=*), intent(in) :: line
 
-      if (c_puts(line // c_null_char) < 0) call give_up()
+      if (c_puts(line // c_null_char) < 0) call fail('the output')
    end subroutine put
 
 
    !> Flush standard output: a full disk may show only now.
    subroutine finish()
-      if (c_fflush(c_null_ptr) /= 0) call give_up()
+      if (c_fflush(c_null_ptr) /= 0) call fail('the output')
    end subroutine finish
 
 
@@ -68,9 +68,26 @@ contains
    end subroutine refuse
 
 
-   subroutine give_up()
-      call c_perror('furiko: cannot write the output' // c_null_char)
+   !> Answer that something cannot be written; does not return.
+   subroutine fail(what)
+      character(len=*), intent(in) :: what
+
+      call say_why(what)
+      call quit()
+   end subroutine fail
+
+
+   !> Say that something cannot be written, and why, as the C library knows it.
+   subroutine say_why(what)
+      character(len=*), intent(in) :: what
+
+      call c_perror('furiko: cannot write ' // what // c_null_char)
+   end subroutine say_why
+
+
+   !> End with the code of what could not be written.
+   subroutine quit()
       call c_exit(1_c_int)
-   end subroutine give_up
+   end subroutine quit
 
 end module furiko_cli_terminal

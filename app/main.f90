@@ -3,16 +3,27 @@
 !> furiko [COMMAND] [OPTIONS]: one command for each question; without one, the table.
 program main
    use furiko, only : furiko_version
+   use furiko_cli_animate, only : animate_command
    use furiko_cli_arguments, only : argument_reader
+   use furiko_cli_classics, only : converge_command, perimeter_command
    use furiko_cli_eval, only : eval_command
+   use furiko_cli_motion, only : motion_command
+   use furiko_cli_period, only : amplitude_command, drift_command, period_command
    use furiko_cli_table, only : table_command
    use furiko_cli_terminal, only : finish, put, refuse
    implicit none
    character(len=*), parameter :: nl = new_line('a')
    character(len=*), parameter :: help = &
       'furiko [COMMAND] [OPTIONS]: elliptic functions and the exact pendulum' // nl // nl // &
-      '  table    the period of a pendulum against its amplitude (without a command, too)' // nl // &
-      '  eval     any function of the library on rows of arguments' // nl // nl // &
+      '  table      the period of a pendulum against its amplitude (without a command, too)' // nl // &
+      '  motion     where the pendulum is, time by time' // nl // &
+      '  period     the period for an amplitude' // nl // &
+      '  amplitude  the amplitude for a period: where a pendulum is 3 % slow' // nl // &
+      '  drift      how long a small-angle clock keeps step' // nl // &
+      '  converge   series, trapezoidal rule and AGM side by side' // nl // &
+      '  perimeter  of an ellipse' // nl // &
+      '  eval       any function of the library on rows of arguments' // nl // &
+      '  animate    the pendulum in motion, as a page for the browser' // nl // nl // &
       'furiko COMMAND --help tells more; furiko --version prints the version.'
    type(argument_reader) :: arguments
    character(len=:), allocatable :: command, word
@@ -29,8 +40,22 @@ program main
    select case (command)
    case ('table')
       call table_command(arguments)
+   case ('motion')
+      call motion_command(arguments)
+   case ('period')
+      call period_command(arguments)
+   case ('amplitude')
+      call amplitude_command(arguments)
+   case ('drift')
+      call drift_command(arguments)
+   case ('converge')
+      call converge_command(arguments)
+   case ('perimeter')
+      call perimeter_command(arguments)
    case ('eval')
       call eval_command(arguments)
+   case ('animate')
+      call animate_command(arguments)
    case ('-h', '--help', 'help')
       call put(help)
       call finish()

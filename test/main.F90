@@ -5,6 +5,12 @@
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
+   use test_animate, only : collect_animate
+   use test_classics_dp, only : collect_classics_dp => collect_classics
+#ifdef __GFC_REAL_16__
+   use test_classics_qp, only : collect_classics_qp => collect_classics
+#endif
+   use test_classics_sp, only : collect_classics_sp => collect_classics
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
 #ifdef __GFC_REAL_16__
@@ -18,6 +24,12 @@ program main
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
 #endif
    use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
+   use test_integrators_dp, only : collect_integrators_dp => collect_integrators
+#ifdef __GFC_REAL_16__
+   use test_integrators_qp, only : collect_integrators_qp => collect_integrators
+#endif
+   use test_integrators_sp, only : collect_integrators_sp => collect_integrators
+   use test_notes, only : collect_notes
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -30,16 +42,24 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('notes', collect_notes), &
+      new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
       new_testsuite('incomplete-real32', collect_incomplete_sp), &
       new_testsuite('incomplete-real64', collect_incomplete_dp), &
+      new_testsuite('classics-real32', collect_classics_sp), &
+      new_testsuite('classics-real64', collect_classics_dp), &
+      new_testsuite('integrators-real32', collect_integrators_sp), &
+      new_testsuite('integrators-real64', collect_integrators_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
-      new_testsuite('incomplete-real128', collect_incomplete_qp)]
+      new_testsuite('incomplete-real128', collect_incomplete_qp), &
+      new_testsuite('classics-real128', collect_classics_qp), &
+      new_testsuite('integrators-real128', collect_integrators_qp)]
 #endif
 
    call get_argument(1, suite)

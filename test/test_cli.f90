@@ -225,7 +225,9 @@ contains
 
       call run_shell('furiko eval --list | while read -r name rest; do ' // &
          'count=$(echo "$rest" | grep -oE "^[a-z]+( [a-z]+)* " | wc -w); ' // &
-         'echo 0.4 0.3 0.2 0.1 | cut -d" " -f1-$count | ' // &
+         'case $name in *ratio*|*_of_period|*arcn[sc]*|*arcd[sc]*) x=1.4;; *arcdn*) x=0.99;; ' // &
+         '*arcnd*) x=1.01;; *) x=0.4;; esac; ' // &
+         'echo $x 0.3 0.2 0.1 | cut -d" " -f1-$count | ' // &
          'furiko eval $name || echo $name >&2; done', output, errors, code)
       call check(error, errors, '')
       if (allocated(error)) return

@@ -4,17 +4,22 @@
 module test_measurement
    implicit none
    private
-   public :: measurement, add_point, unpack
+   public :: measurement, add_points, unpack, name_length
 
+
+   !> Room for the longest name of a function
+   integer, parameter :: name_length = 41
 
    !> All points of a function in a regime
    type :: measurement
-      character(len=16) :: name = ''
-      character(len=16) :: regime = ''
+      character(len=name_length) :: name = ''
+      character(len=name_length) :: regime = ''
       integer :: points = 0
-      !> Errors in ulp
+      !> Errors in ulp, of calls one by one
       real :: largest = -1.0
       double precision :: total = 0.0d0
+      !> The same with all points in one array
+      real :: largest_of_array = -1.0
       !> Arguments of the largest
       character(len=200) :: worst = ''
    end type measurement
@@ -23,14 +28,15 @@ module test_measurement
 contains
 
 
-   !> Count a point in; `is_worst` tells whether its arguments are to be kept in `list(place)`.
-   subroutine add_point(list, name, regime, distance, place, is_worst)
+   !> Count points in; `worst` are the arguments of the one with the largest distance.
+   subroutine add_points(list, name, regime, distances, distances_of_array, worst)
       type(measurement), allocatable, intent(inout) :: list(:)
       character(len=*), intent(in) :: name
       character(len=*), intent(in) :: regime
-      real, intent(in) :: distance
-      integer, intent(out) :: place
-      logical, intent(out) :: is_worst
+      real, intent(in) :: distances(:)
+      real, intent(in) :: distances_of_array(:)
+      character(len=*), intent(in) :: worst
+      integer :: place
 
       do place = size(list), 1, -1
          if (list(place)%name == name .and. list(place)%regime == regime) exit
@@ -39,11 +45,14 @@ contains
          list = [list, measurement(name, regime)]
          place = size(list)
       end if
-      list(place)%points = list(place)%points + 1
-      list(place)%total = list(place)%total + distance
-      is_worst = distance > list(place)%largest
-      list(place)%largest = max(list(place)%largest, distance)
-   end subroutine add_point
+      list(place)%points = list(place)%points + size(distances)
+      list(place)%total = list(place)%total + sum(real(distances, kind(0.0d0)))
+      list(place)%largest_of_array = max(list(place)%largest_of_array, maxval(distances_of_array))
+      if (maxval(distances) > list(place)%largest) then
+         list(place)%largest = maxval(distances)
+         list(place)%worst = worst
+      end if
+   end subroutine add_points
 
 
    !> Unpack test/data/NAME.dat.gz and open it.

@@ -3,7 +3,9 @@
 !> The period of the pendulum, in each kind of real; the text is in furiko_period.inc.
 module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use furiko_complete_sp, only : ellipk_alpha
+   use furiko_nome_sp, only : nome_k
    implicit none
    private
    include 'furiko_period.inc'
@@ -12,7 +14,9 @@ end module furiko_period_sp
 
 module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use furiko_complete_dp, only : ellipk_alpha
+   use furiko_nome_dp, only : nome_k
    implicit none
    private
    include 'furiko_period.inc'
@@ -22,7 +26,9 @@ end module furiko_period_dp
 #ifdef __GFC_REAL_16__
 module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use furiko_complete_qp, only : ellipk_alpha
+   use furiko_nome_qp, only : nome_k
    implicit none
    private
    include 'furiko_period.inc'
@@ -31,12 +37,12 @@ end module furiko_period_qp
 
 
 module furiko_period
-   use furiko_period_sp, only : period_ratio
-   use furiko_period_dp, only : period_ratio
+   use furiko_period_sp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
+   use furiko_period_dp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 #ifdef __GFC_REAL_16__
-   use furiko_period_qp, only : period_ratio
+   use furiko_period_qp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 #endif
    implicit none
    private
-   public :: period_ratio
+   public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 end module furiko_period

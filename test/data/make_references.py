@@ -16,121 +16,24 @@ the kind next to it and lo the rest, so that a test needs no wider kind to see a
 """
 import gzip
 import pathlib
-import random
 import sys
 import zlib
 
 import flint
 import mpmath as mp
-from flint import acb, arb
+from flint import arb
+
+import reference_integrals
+import reference_jacobi
+from reference_integrals import KINDS, Dice
 
 HERE = pathlib.Path(__file__).parent
-KINDS = {"real32": (24, 9, -126), "real64": (53, 17, -1022), "real128": (113, 36, -16382)}
+TOPICS = reference_integrals.TOPICS | reference_jacobi.TOPICS
 POINTS = {"real32": 400, "real64": 2000, "real128": 400}  # at least, in each regime of a function
+# Of these, a form's share where it is not one over the number of forms.
+SHARES = {"carlson": 1} | reference_jacobi.SHARES
 KEPT = 140  # bits of a value, 42 digits
 mp.mp.dps = 150
-
-
-# The functions, on balls. One that cannot be told with the present bits is NaN or a wide ball.
-
-NAN = arb("nan")
-
-
-def real(z):
-    return z.real if z.imag.contains(0) else NAN
-
-
-def rf(x, y, z):
-    return real(acb.elliptic_rf(acb(x), acb(y), acb(z)))
-
-
-def rd(x, y, z):
-    return real(acb.elliptic_rd(acb(x), acb(y), acb(z)))
-
-
-def rg(x, y, z):
-    return real(acb.elliptic_rg(acb(x), acb(y), acb(z)))
-
-
-def rc(x, y):
-    """R_C, for y < 0 its principal value, DLMF 19.2.20."""
-    if y < 0:
-        return (x / (x - y)).sqrt() * rc(x - y, -y)
-    return real(acb.elliptic_rc(acb(x), acb(y)))
-
-
-def rj(x, y, z, p):
-    """R_J, for p < 0 its principal value, DLMF 19.20.14, which takes x or y <= z."""
-    if p < 0:
-        q, p = -p, (z * (x + y - p) - x * y) / (z - p)
-        rest = 3 * (x * y * z / (x * y + p * q)).sqrt() * rc(x * y + p * q, p * q)
-        return ((p - z) * rj(x, y, z, p) - 3 * rf(x, y, z) + rest) / (q + z)
-    return real(acb.elliptic_rj(acb(x), acb(y), acb(z), acb(p)))
-
-
-def m_and_mc(form, x):
-    if form == "k":
-        return x * x, (1 - x) * (1 + x)
-    if form == "alpha":
-        return (x.sin() ** 2, x.cos() ** 2) if x.cos() > 0 else (NAN, NAN)
-    return (x, 1 - x) if form == "m" else (1 - x, x)
-
-
-def reduced(phi):
-    """j, sin(r), cos(r) of phi = j pi + r, |r| < pi/2."""
-    j = (phi / arb.pi() + 0.5).floor().unique_fmpz()
-    if j is None:
-        return 0, NAN, NAN
-    r = phi - int(j) * arb.pi()
-    return int(j), r.sin(), r.cos()
-
-
-def complete(form, x):
-    """K, E, B, D: DLMF 19.25.1, and E = B + mc D."""
-    _, mc = m_and_mc(form, x)
-    k, d = rf(0, mc, 1), rd(0, mc, 1) / 3
-    return [k, k - d + mc * d, k - d, d]
-
-
-def incomplete(form, phi, x):
-    """F, E, D: DLMF 19.25.5, 19.25.13, and 19.2.10 beyond pi/2."""
-    m, mc = m_and_mc(form, x)
-    j, s, c = reduced(phi)
-    f = s * rf(c * c, c * c + mc * s * s, 1)
-    d = s**3 * rd(c * c, c * c + mc * s * s, 1) / 3
-    if j != 0:
-        k, _, _, quarter_d = complete(form, x)
-        f, d = f + 2 * j * k, d + 2 * j * quarter_d
-    return [f, f - m * d, d]
-
-
-def third(n, s, c, mc):
-    """Pi within a quarter period: DLMF 19.25.14."""
-    x, y, p = c * c, c * c + mc * s * s, c * c + (1 - n) * s * s
-    return s * rf(x, y, 1) + n * s**3 * rj(x, y, 1, p) / 3
-
-
-def third_kind(form, n, x):
-    return [third(n, arb(1), arb(0), m_and_mc(form, x)[1])]
-
-
-def third_kind_incomplete(form, n, phi, x):
-    _, mc = m_and_mc(form, x)
-    j, s, c = reduced(phi)
-    within = third(n, s, c, mc)
-    return [within + 2 * j * third(n, arb(1), arb(0), mc) if j != 0 else within]
-
-
-def carlson(form, *arguments):
-    if form == "rj":  # the largest of x, y, z last
-        arguments = (*sorted(arguments[:3], key=lambda x: x.mid()), arguments[3])
-    return [{"rf": rf, "rc": rc, "rd": rd, "rj": rj, "rg": rg}[form](*arguments)]
-
-
-def period(_, amplitude):
-    """T/T_h = 2 K / pi = 1 / agm(1, sqrt(mc))."""
-    kc = (amplitude / 2).cos()
-    return [2 / arb.pi() * rf(0, kc * kc, 1) if kc > 0 else NAN]
 
 
 def proven(function, form, arguments):
@@ -142,236 +45,6 @@ def proven(function, form, arguments):
     return None
 
 
-# The arguments: numbers that are then rounded to their kind.
-
-
-class Dice:
-    """Random numbers, the same in every run, on every machine."""
-
-    def __init__(self, kind, seed):
-        self.random = random.Random(f"{kind} {seed}")
-        self.bits, _, self.lowest = KINDS[kind]
-
-    def uniform(self, low=0, high=1):
-        u = mp.mpf(self.random.random()) + mp.mpf(self.random.random()) * mp.mpf(2) ** -53
-        return low + (high - low) * u
-
-    def integer(self, low, high):
-        return low + int(self.random.random() * (high - low + 1))
-
-    def pick(self, *choices):
-        return choices[self.integer(0, len(choices) - 1)]
-
-    def sign(self):
-        return self.pick(-1, 1)
-
-    def power(self, low, high):
-        """Log-uniform, 2^low to 2^high."""
-        return mp.mpf(2) ** self.uniform(low, high)
-
-    def tiny(self):
-        return self.power(self.lowest, -1)
-
-    def huge(self, limit=16384):
-        return self.power(0, min(-self.lowest, limit))
-
-    def ulps(self):
-        """1 and a few ulp."""
-        return 1 + self.integer(-4, 4) * mp.mpf(2) ** (1 - self.bits)
-
-    def gap(self):
-        """1/2 down to an ulp."""
-        return self.power(-self.bits, -1)
-
-
-def boundary(dice, form):
-    """Next to 2^e (1 + i/16), as m or as 1 - m: where tables may have their seams."""
-    def edge(low, high):
-        return mp.mpf(2) ** dice.integer(low, high) * (1 + mp.mpf(dice.integer(0, 15)) / 16)
-
-    if form == "mc":
-        low, high = dice.pick((-20, 10), (-20, 10), (dice.lowest, -dice.lowest))
-        return edge(low, high) * dice.ulps()
-    m = dice.pick(edge(-12, -1), -edge(-12, 10), 1 - edge(-12, -1), 1 - edge(0, 10))
-    return m * dice.ulps()
-
-
-def modulus(dice, regime, form):
-    """An argument of the form whose m is in the regime."""
-    if regime == "uniform":
-        u = dice.uniform()
-        return {"k": 2 * u - 1, "m": u, "mc": u, "alpha": u * mp.pi / 2}[form]
-    if regime == "towards-0":
-        return 1 - dice.gap() if form == "mc" else dice.tiny()
-    if regime == "towards-1":
-        return dice.tiny() if form == "mc" else (mp.pi / 2 if form == "alpha" else 1) - dice.gap()
-    if regime == "negative":
-        return 1 + dice.uniform(0, 100) if form == "mc" else dice.uniform(-100, 0)
-    if regime == "far-negative":
-        return dice.huge() if form == "mc" else -dice.huge()
-    return boundary(dice, form)
-
-
-def any_modulus(dice, form):
-    regimes = ["uniform", "towards-0", "towards-1"]
-    return modulus(dice, dice.pick(*regimes, *([] if form == "k" else ["negative"])), form)
-
-
-def negative_modulus(dice, form):
-    return modulus(dice, dice.pick("negative", "far-negative"), form)
-
-
-def modulus_above_1(dice, form, phi):
-    """m between 1 and 1/sin(phi)^2, half of them next to that."""
-    most = 1 / mp.sin(phi) ** 2
-    m = most * (1 - dice.gap()) if dice.pick(True, False) else dice.uniform(1, most)
-    return {"k": mp.sqrt(m), "m": m, "mc": 1 - m}[form]
-
-
-def quarter(dice):
-    return dice.uniform(0, mp.pi / 2)
-
-
-def next_to_multiple(dice):
-    """A few ulp to 1e-3 from a multiple of pi/2."""
-    phi = dice.sign() * dice.integer(1, 8) * mp.pi / 2
-    return dice.pick(phi * dice.ulps(), phi + dice.sign() * dice.power(-dice.bits, -10))
-
-
-def huge_phi(dice):
-    exponent = dice.pick(20, 20, 20, 50)  # 1e6, 1e15
-    return dice.sign() * dice.power(5, exponent)
-
-
-def complete_arguments(dice, regime, form):
-    return [modulus(dice, regime, form)]
-
-
-def incomplete_arguments(dice, regime, form):
-    if regime == "uniform":
-        return [quarter(dice), modulus(dice, "uniform", form)]
-    if regime == "multiples":
-        return [next_to_multiple(dice), modulus(dice, dice.pick("uniform", "towards-1"), form)]
-    if regime == "any-phi":
-        return [dice.uniform(-50, 50), any_modulus(dice, form)]
-    if regime == "huge-phi":
-        return [huge_phi(dice), any_modulus(dice, form)]
-    if regime == "negative-m":
-        return [dice.uniform(0, mp.pi), negative_modulus(dice, form)]
-    if regime == "above-1":
-        phi = dice.pick(quarter(dice), dice.power(-30, 0))
-        return [phi, modulus_above_1(dice, form, phi)]
-    return [dice.power(mp.mpf(dice.lowest) / 3 + 1, -4), modulus(dice, "towards-0", form)]
-
-
-def principal_n(dice):
-    return 1 + dice.pick(dice.gap(), dice.uniform(0, 3), dice.huge(33))
-
-
-def negative_n(dice):
-    return -dice.pick(dice.power(-10, 33), dice.power(-10, 33), dice.power(0, -mp.mpf(dice.lowest) / 3))
-
-
-def next_to_m(dice, form, x):
-    m = {"k": x * x, "m": x, "mc": 1 - x}[form]
-    return m * (1 + dice.sign() * dice.gap())
-
-
-def third_kind_arguments(dice, regime, form):
-    x = modulus(dice, "uniform", form)
-    if regime == "uniform":
-        return [dice.uniform(), x]
-    if regime == "negative-n":
-        return [negative_n(dice), x]
-    if regime == "towards-1":
-        return [1 - dice.gap(), modulus(dice, "towards-1", form)]
-    if regime == "principal":
-        return [principal_n(dice), any_modulus(dice, form)]
-    if regime == "near-m":
-        return [next_to_m(dice, form, x), x]
-    n = dice.pick(dice.uniform(-1, 1), negative_n(dice), principal_n(dice))
-    return [n, negative_modulus(dice, form)]
-
-
-def third_kind_incomplete_arguments(dice, regime, form):
-    if regime in ("multiples", "any-phi"):
-        phi = next_to_multiple(dice) if regime == "multiples" else dice.uniform(-50, 50)
-        n = dice.pick(dice.uniform(), 1 - dice.gap(), negative_n(dice), principal_n(dice))
-        return [n, phi, modulus(dice, dice.pick("uniform", "towards-1"), form)]
-    if regime == "above-1":
-        phi = quarter(dice)
-        return [dice.uniform(-2, 2), phi, modulus_above_1(dice, form, phi)]
-    if regime == "tiny":
-        phi = dice.power(dice.lowest, -4)
-        return [dice.sign() * dice.tiny(), phi, modulus(dice, "towards-0", form)]
-    n, x = third_kind_arguments(dice, regime, form)
-    return [n, quarter(dice), x]
-
-
-CARLSON = {"rf": 3, "rc": 2, "rd": 3, "rj": 4, "rg": 3}  # arguments of each
-
-
-def extreme(dice, form, count):
-    """Next to huge and to tiny; half of them all at one end, as far as the result is finite."""
-    if dice.pick(True, False):
-        return [dice.power(*dice.pick((0.93, 0.999), (-0.999, -0.93))) ** -dice.lowest
-                for _ in range(count)]
-    end = dice.sign() * (mp.mpf("0.66") if form in ("rd", "rj") else mp.mpf("0.99"))
-    return [dice.power(end * mp.mpf("0.93"), end) ** -dice.lowest for _ in range(count)]
-
-
-def carlson_arguments(dice, regime, form):
-    count = CARLSON[form]
-    decades = mp.log(10, 2) * 30
-    if regime == "extreme":
-        return extreme(dice, form, count)
-    if regime == "close":
-        middle = dice.power(-10, 10)
-        return [middle * (1 + dice.sign() * dice.gap()) for _ in range(count)]
-    low, high = dice.pick((-3, 3), (-30, 30)) if regime in ("zeros", "principal") else (0, 0)
-    values = [dice.power(low, high) for _ in range(count)]
-    if regime == "uniform":
-        values = [dice.uniform() for _ in range(count)]
-    if regime == "wide":
-        values = [dice.power(-decades, decades) for _ in range(count)]
-    if regime == "zeros":  # x, y, z of rf, rj, rg, but x, y of rd and x of rc alone
-        values[dice.integer(0, {"rc": 0, "rd": 1}.get(form, 2))] = mp.mpf(0)
-    if regime == "principal":
-        values[-1] = -values[-1]
-    return values
-
-
-def period_arguments(dice, regime, _):
-    if regime == "uniform":
-        return [dice.uniform(-mp.pi, mp.pi)]
-    if regime == "towards-pi":
-        return [dice.sign() * (mp.pi - dice.power(2 - dice.bits, 0))]
-    return [dice.sign() * dice.power(dice.lowest, -3)]
-
-
-# The files.
-
-EVERY, BOTH, ALL = "k m mc alpha", "m mc", "k m mc"
-TOPICS = {
-    "complete": ("ellipk ellipe ellipb ellipd", complete, complete_arguments, {
-        "uniform": EVERY, "towards-0": EVERY, "towards-1": EVERY,
-        "negative": BOTH, "far-negative": BOTH, "boundaries": BOTH}),
-    "incomplete": ("ellipf ellipeinc ellipdinc", incomplete, incomplete_arguments, {
-        "uniform": ALL, "multiples": ALL, "any-phi": ALL, "huge-phi": ALL,
-        "negative-m": BOTH, "above-1": ALL, "tiny": ALL}),
-    "third_kind": ("ellippi", third_kind, third_kind_arguments, {
-        "uniform": ALL, "negative-n": ALL, "towards-1": ALL,
-        "principal": ALL, "near-m": ALL, "negative-m": BOTH}),
-    "third_kind_incomplete": (
-        "ellippiinc", third_kind_incomplete, third_kind_incomplete_arguments, {
-            "uniform": ALL, "negative-n": ALL, "towards-1": ALL, "principal": ALL, "near-m": ALL,
-            "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL}),
-    "carlson": ("carlson", carlson, carlson_arguments, {
-        "uniform": "rf rc rd rj rg", "wide": "rf rc rd rj rg", "extreme": "rf rc rd rj rg",
-        "zeros": "rf rc rd rj rg", "principal": "rc rj", "close": "rf rc rd rj rg"}),
-    "period": ("period", period, period_arguments, {
-        "uniform": "ratio", "towards-pi": "ratio", "tiny": "ratio"}),
-}
 
 
 def rounded(x, bits):
@@ -423,7 +96,7 @@ def lines(topic):
     for kind in KINDS:
         for regime, forms in regimes.items():
             forms = forms.split()
-            shares = 1 if topic == "carlson" else len(forms)
+            shares = SHARES.get(topic, len(forms))
             for form in forms:
                 yield from rows(topic, kind, regime, form, -(-POINTS[kind] // shares))
 

@@ -1,0 +1,162 @@
+! SPDX-License-Identifier: MIT
+
+!> Quantities as people type them: 57.3deg, 1rad, 50cm, 9.8, 1/2, 3%.
+module furiko_cli_quantity
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_cli_decimal, only : decimal, read_decimal, to_double_word
+   use furiko_cli_number, only : is_number
+   use furiko_cli_terminal, only : refuse
+   use furiko_double_word, only : double_word, double_word_pi, operator(*), operator(/)
+   implicit none
+   private
+   public :: angle_of, number_of, integer_of, unit, metres, seconds, pure_number
+
+
+   !> A unit and its size in the unit that the program computes in
+   type :: unit
+      character(len=3) :: name
+      real(wp) :: size
+   end type unit
+
+   type(unit), parameter :: metres(*) = [unit('km', 1000.0_wp), unit('cm', 0.01_wp), &
+      unit('mm', 0.001_wp), unit('m', 1.0_wp)]
+   type(unit), parameter :: seconds(*) = [unit('ms', 0.001_wp), unit('min', 60.0_wp), &
+      unit('h', 3600.0_wp), unit('s', 1.0_wp)]
+   type(unit), parameter :: pure_number(*) = [unit('%', 0.01_wp)]
+
+
+contains
+
+
+   !> An angle in radians, to 30 digits: degrees where the word does not end in rad.
+   function angle_of(what, word) result(angle)
+      !> Who asks for it, as in 'furiko motion: --angle'
+      character(len=*), intent(in) :: what
+      character(len=*), intent(in) :: word
+      type(double_word) :: angle
+      character(len=:), allocatable :: text
+      logical :: in_radians, valid
+
+      text = word
+      in_radians = ends_in(word, 'rad')
+      if (in_radians .or. ends_in(word, 'deg')) text = word(:len(word) - 3)
+      call read_exactly(text, angle, valid)
+      if (.not. valid) call refuse(what // " '" // word // "' is not an angle (as 57.3, 57.3deg or 1rad)")
+      if (.not. in_radians) angle = angle*double_word_pi/double_word(180.0_wp)
+   end function angle_of
+
+
+   !> A number in one of `units`; without a unit it stands as it is.
+   function number_of(what, word, units) result(number)
+      character(len=*), intent(in) :: what
+      character(len=*), intent(in) :: word
+      !> The longer names first where one ends in another
+      type(unit), intent(in) :: units(:)
+      real(wp) :: number
+      character(len=:), allocatable :: text
+      type(double_word) :: x
+      real(wp) :: size_of_unit
+      logical :: valid
+      integer :: i
+
+      text = word
+      size_of_unit = 1.0_wp
+      do i = 1, size(units)
+         if (.not. ends_in(word, trim(units(i)%name))) cycle
+         text = word(:len(word) - len_trim(units(i)%name))
+         size_of_unit = units(i)%size
+         exit
+      end do
+      call read_exactly(text, x, valid)
+      if (.not. valid) then
+         call refuse(what // " '" // word // "' is not a number" // accepted(units))
+      end if
+      number = x%hi
+      ! 3% is 3/100, not 3 times a rounded 0.01
+      if (size_of_unit < 1.0_wp) then
+         number = number/nint(1/size_of_unit)
+      else
+         number = number*size_of_unit
+      end if
+   end function number_of
+
+
+   !> A whole number from `least` to `most`.
+   function integer_of(what, word, least, most) result(number)
+      character(len=*), intent(in) :: what
+      character(len=*), intent(in) :: word
+      integer, intent(in) :: least
+      integer, intent(in) :: most
+      integer :: number
+      character(len=12) :: bounds(2)
+      integer :: stat
+
+      number = 0
+      stat = 1
+      if (len(word) > 0 .and. verify(word, '+-0123456789') == 0) read(word, '(i20)', iostat=stat) number
+      if (stat == 0 .and. number >= least .and. number <= most) return
+      write(bounds, '(i0)') least, most
+      call refuse(what // " '" // word // "' is not a whole number from " // trim(bounds(1)) // &
+         ' to ' // trim(bounds(2)))
+   end function integer_of
+
+
+   !> A decimal number or a fraction a/b of two; exact decimals keep 30 digits.
+   pure subroutine read_exactly(text, x, valid)
+      character(len=*), intent(in) :: text
+      type(double_word), intent(out) :: x
+      logical, intent(out) :: valid
+      type(double_word) :: y
+      integer :: slash
+
+      slash = index(text // '/', '/')
+      call read_one(text(:slash - 1), x, valid)
+      if (.not. valid .or. slash > len(text)) return
+      call read_one(text(slash + 1:), y, valid)
+      valid = valid .and. abs(y%hi) > 0.0_wp
+      if (valid) x = x/y
+   end subroutine read_exactly
+
+
+   pure subroutine read_one(text, x, valid)
+      character(len=*), intent(in) :: text
+      type(double_word), intent(out) :: x
+      logical, intent(out) :: valid
+      type(decimal) :: number
+      integer :: stat
+
+      call read_decimal(text, number, valid)
+      if (valid) then
+         x = to_double_word(number)
+         return
+      end if
+      valid = is_number(text)
+      if (.not. valid) return
+      read(text, *, iostat=stat) x%hi
+      valid = stat == 0 .and. abs(x%hi) <= huge(x%hi)
+   end subroutine read_one
+
+
+   pure function accepted(units) result(text)
+      type(unit), intent(in) :: units(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ' (units:'
+      do i = size(units), 1, -1
+         text = text // ' ' // trim(units(i)%name)
+      end do
+      text = text // ')'
+   end function accepted
+
+
+   pure function ends_in(word, ending)
+      character(len=*), intent(in) :: word
+      character(len=*), intent(in) :: ending
+      logical :: ends_in
+
+      ends_in = len(word) > len(ending)
+      if (ends_in) ends_in = word(len(word) - len(ending) + 1:) == ending
+   end function ends_in
+
+end module furiko_cli_quantity

@@ -1,0 +1,66 @@
+! SPDX-License-Identifier: MIT
+
+module furiko_inverse_period_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_half_pi_sp, only : half_pi
+   use furiko_nome_sp, only : nome_to_parameter, log_nome_to_parameter
+   use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_inverse_period.inc'
+end module furiko_inverse_period_sp
+
+
+module furiko_inverse_period_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_half_pi_dp, only : half_pi
+   use furiko_nome_dp, only : nome_to_parameter, log_nome_to_parameter
+   use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_inverse_period.inc'
+end module furiko_inverse_period_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_inverse_period_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_half_pi_qp, only : half_pi
+   use furiko_nome_qp, only : nome_to_parameter, log_nome_to_parameter
+   use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_inverse_period.inc'
+end module furiko_inverse_period_qp
+#endif
+
+
+!> The parameter of a complete integral of the first kind or of a pendulum's period, in real32,
+!> real64 and real128
+module furiko_inverse_period
+   use furiko_inverse_period_sp, only : &
+      parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
+   use furiko_inverse_period_dp, only : &
+      parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
+#ifdef __GFC_REAL_16__
+   use furiko_inverse_period_qp, only : &
+      parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
+#endif
+   implicit none
+   private
+   public :: &
+      parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
+end module furiko_inverse_period

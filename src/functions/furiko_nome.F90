@@ -1,0 +1,58 @@
+! SPDX-License-Identifier: MIT
+
+module furiko_nome_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_nome.inc'
+end module furiko_nome_sp
+
+
+module furiko_nome_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_nome.inc'
+end module furiko_nome_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_nome_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_nome.inc'
+end module furiko_nome_qp
+#endif
+
+
+!> Jacobi's nome of k, m or mc and its inverse, in real32, real64 and real128
+module furiko_nome
+   use furiko_nome_sp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+   use furiko_nome_dp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+#ifdef __GFC_REAL_16__
+   use furiko_nome_qp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+#endif
+   implicit none
+   private
+   public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
+      complementary_parameter_from_nome
+end module furiko_nome

@@ -1,0 +1,55 @@
+! SPDX-License-Identifier: MIT
+
+module furiko_theta_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_fold_sp, only : quadrant_of
+   use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_theta.inc'
+end module furiko_theta_sp
+
+
+module furiko_theta_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_fold_dp, only : quadrant_of
+   use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_theta.inc'
+end module furiko_theta_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_theta_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_fold_qp, only : quadrant_of
+   use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
+   implicit none
+   private
+   include 'furiko_theta.inc'
+end module furiko_theta_qp
+#endif
+
+
+!> Jacobi's theta functions of a real angle and their derivatives, in real32, real64 and real128
+module furiko_theta
+   use furiko_theta_sp, only : theta1, theta2, theta3, theta4, &
+      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+   use furiko_theta_dp, only : theta1, theta2, theta3, theta4, &
+      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+#ifdef __GFC_REAL_16__
+   use furiko_theta_qp, only : theta1, theta2, theta3, theta4, &
+      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+#endif
+   implicit none
+   private
+   public :: theta1, theta2, theta3, theta4, &
+      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+end module furiko_theta

@@ -1,0 +1,29 @@
+! SPDX-License-Identifier: MIT
+
+! Right-hand sides to hand to [[rk4]]: one module for each kind of real, and none over them, since a
+! generic name cannot be an actual argument. `use furiko_pendulum_rates_dp, only : pendulum_rates`.
+
+module furiko_pendulum_rates_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   implicit none
+   private
+   include 'furiko_pendulum_rates.inc'
+end module furiko_pendulum_rates_sp
+
+
+module furiko_pendulum_rates_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   implicit none
+   private
+   include 'furiko_pendulum_rates.inc'
+end module furiko_pendulum_rates_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_pendulum_rates_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   implicit none
+   private
+   include 'furiko_pendulum_rates.inc'
+end module furiko_pendulum_rates_qp
+#endif

@@ -1,0 +1,60 @@
+! SPDX-License-Identifier: MIT
+
+module furiko_pendulum_steps_sp
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : ip => int32, wp => real32
+   implicit none
+   private
+   include 'furiko_pendulum_pi_sp.inc'
+   ! Pendulums side by side, and steps from one look at them to the next
+   integer, parameter :: block = 128, stretch = 64
+   ! Angles up to here are reduced exactly
+   real(wp), parameter :: far = 2.0_wp**8
+   include 'furiko_symplectic_weights.inc'
+   include 'furiko_pendulum_steps.inc'
+   include 'furiko_pendulum_fast.inc'
+   include 'furiko_pendulum_sine_sp.inc'
+end module furiko_pendulum_steps_sp
+
+
+module furiko_pendulum_steps_dp
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : ip => int64, wp => real64
+   implicit none
+   private
+   include 'furiko_pendulum_pi_dp.inc'
+   ! Pendulums side by side, and steps from one look at them to the next
+   integer, parameter :: block = 64, stretch = 64
+   ! Angles up to here are reduced exactly
+   real(wp), parameter :: far = 2.0_wp**20
+   include 'furiko_symplectic_weights.inc'
+   include 'furiko_pendulum_steps.inc'
+   include 'furiko_pendulum_fast.inc'
+   include 'furiko_pendulum_sine_dp.inc'
+end module furiko_pendulum_steps_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_pendulum_steps_qp
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   implicit none
+   private
+   include 'furiko_symplectic_weights.inc'
+   include 'furiko_pendulum_steps.inc'
+   include 'furiko_pendulum_plain.inc'
+end module furiko_pendulum_steps_qp
+#endif
+
+
+!> Steps of the pendulum, one or many at once, in each kind of real.
+module furiko_pendulum_steps
+   use furiko_pendulum_steps_sp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+   use furiko_pendulum_steps_dp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+#ifdef __GFC_REAL_16__
+   use furiko_pendulum_steps_qp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+#endif
+   implicit none
+   private
+   public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+end module furiko_pendulum_steps

@@ -1,0 +1,39 @@
+! SPDX-License-Identifier: MIT
+
+module furiko_rk4_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32
+   implicit none
+   private
+   include 'furiko_rk4.inc'
+end module furiko_rk4_sp
+
+
+module furiko_rk4_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   implicit none
+   private
+   include 'furiko_rk4.inc'
+end module furiko_rk4_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_rk4_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   implicit none
+   private
+   include 'furiko_rk4.inc'
+end module furiko_rk4_qp
+#endif
+
+
+!> Classical Runge-Kutta steps for any system of equations, in each kind of real.
+module furiko_rk4
+   use furiko_rk4_sp, only : rk4
+   use furiko_rk4_dp, only : rk4
+#ifdef __GFC_REAL_16__
+   use furiko_rk4_qp, only : rk4
+#endif
+   implicit none
+   private
+   public :: rk4
+end module furiko_rk4

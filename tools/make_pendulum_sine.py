@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Write the sine of the pendulum's steps, src/integrators/furiko_pendulum_{sine,pi}_{sp,dp}.inc.
+
+sin(r) = r + r w p(w), w = r^2, abs(r) <= pi/2 + 1/4, p by Chebyshev interpolation; and pi in three
+parts, the first two short enough that n times them is exact for n < 2^20 (real64), 2^8 (real32).
+
+usage: make_pendulum_sine.py [FOLDER]
+"""
+import pathlib
+import sys
+
+from mpmath import mp, mpf
+
+mp.dps = 60
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "src" / "integrators"
+LIMIT = (mp.pi/2 + mpf(1)/4)**2
+
+
+def quotient(w):
+    """(sin(r)/r - 1)/w as a power series"""
+    return sum((-1)**(i + 1)*w**i/mp.factorial(2*i + 3) for i in range(25))
+
+
+def coefficients(count):
+    """Interpolate in the zeros of the Chebyshev polynomial; return powers of w, and the error"""
+    nodes = [LIMIT*(1 + mp.cos(mp.pi*(2*i + 1)/(2*count)))/2 for i in range(count)]
+    matrix = mp.matrix(count, count)
+    for i, w in enumerate(nodes):
+        for j in range(count):
+            matrix[i, j] = w**j
+    c = list(mp.lu_solve(matrix, mp.matrix([quotient(w) for w in nodes])))
+    error = max(abs((mp.polyval(c[::-1], w) - quotient(w))*w**1.5)
+                for w in (LIMIT*i/2000 for i in range(1, 2001)))
+    return c, error
+
+
+def parts_of_pi(bits):
+    """pi in three parts, of `bits` bits but for the last"""
+    rest, parts = +mp.pi, []
+    for _ in range(2):
+        unit = mpf(2)**(mp.floor(mp.log(rest, 2)) - bits + 1)
+        parts.append(mp.floor(rest/unit)*unit)
+        rest -= parts[-1]
+    return parts + [rest]
+
+
+def number(x, digits):
+    """A literal"""
+    return mp.nstr(x, digits, min_fixed=-1, max_fixed=1).replace("e+0", "") + "_wp"
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
+    for kind, count, bits, digits in (("sp", 5, 16, 12), ("dp", 8, 33, 21)):
+        c, error = coefficients(count)
+        print(kind, "error", mp.nstr(error, 3), file=sys.stderr)
+        pi = ["   ! pi in parts, written by make_pendulum_sine.py",
+              "   real(wp), parameter :: pi(3) = [ &",
+              ", &\n".join("      " + number(x, 30) for x in parts_of_pi(bits)) + "]"]
+        (folder/f"furiko_pendulum_pi_{kind}.inc").write_text("\n".join(pi) + "\n")
+        sine = ["   !> (sin(r)/r - 1)/w, w = r^2, abs(r) <= pi/2 + 1/4, written by make_pendulum_sine.py",
+                "   elemental function sine_quotient(w) result(p)",
+                "      real(wp), intent(in) :: w",
+                "      real(wp) :: p", "",
+                "      p = " + " + w*( &\n         ".join(number(x, digits) for x in c)
+                + ")"*(count - 1),
+                "   end function sine_quotient"]
+        (folder/f"furiko_pendulum_sine_{kind}.inc").write_text("\n".join(sine) + "\n")
+
+
+if __name__ == "__main__":
+    main()
