@@ -29,7 +29,14 @@ program main
    use test_integrators_qp, only : collect_integrators_qp => collect_integrators
 #endif
    use test_integrators_sp, only : collect_integrators_sp => collect_integrators
+   use test_motion_dp, only : collect_motion_dp => collect_motion
+#ifdef __GFC_REAL_16__
+   use test_motion_qp, only : collect_motion_qp => collect_motion
+#endif
+   use test_motion_sp, only : collect_motion_sp => collect_motion
    use test_notes, only : collect_notes
+   use test_pendulum_cli, only : collect_pendulum_cli
+   use test_plot, only : collect_plot
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -42,6 +49,8 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('pendulum-cli', collect_pendulum_cli), &
+      new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
       new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &
@@ -53,13 +62,16 @@ program main
       new_testsuite('classics-real64', collect_classics_dp), &
       new_testsuite('integrators-real32', collect_integrators_sp), &
       new_testsuite('integrators-real64', collect_integrators_dp), &
+      new_testsuite('motion-real32', collect_motion_sp), &
+      new_testsuite('motion-real64', collect_motion_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
       new_testsuite('classics-real128', collect_classics_qp), &
-      new_testsuite('integrators-real128', collect_integrators_qp)]
+      new_testsuite('integrators-real128', collect_integrators_qp), &
+      new_testsuite('motion-real128', collect_motion_qp)]
 #endif
 
    call get_argument(1, suite)

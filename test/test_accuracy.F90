@@ -83,20 +83,23 @@ module test_accuracy
       promise('ellipe', '', [0.55, 0.55, 4.0]), &
       promise('ellipb', '', [0.6, 0.6, 4.0]), &
       promise('ellipd', '', [0.6, 0.6, 4.0]), &
-      promise('ellippi', '', [1.5, 0.6, 1.0]), &
-      promise('ellipf', '', [1.0, 0.6, 1.0]), &
+      promise('ellippi', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
+      promise('ellipf', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
       promise('ellipf', 'above-1', [4.0, 30.0, none]), &
-      promise('ellipeinc', '', [1.0, 0.6, 1.0]), &
-      promise('ellipdinc', '', [1.0, 0.6, 1.0]), &
+      promise('ellipeinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
+      promise('ellipdinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
       promise('ellipdinc', 'above-1', [4.0, 50.0, none]), &
-      promise('ellippiinc', '', [1.5, 0.6, 1.0]), &
+      promise('ellippiinc', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
       promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
-      promise('carlson', '', [2.0, 2.0, 2.0]), &
+      promise('carlson', '', [2.0, 2.0, 2.0], [3.0, 3.0, 2.0]), &
       promise('period', '', [2.0, 2.0, 4.0]), &
       promise('nome', '', [1.0, 1.0, 1.0]), &
       promise('theta', '', [1.0, 1.0, 1.0]), &
-      promise('jacobi', '', [4.0, 4.0, 4.0]), &
-      promise('jacobi_arc', '', [1.0, 1.0, 1.0]), &
+      promise('jacobi', '', [5.0, 5.0, 5.0]), &
+      promise('jacobi', 'huge-u', [none, 5.0, 5.0]), &
+      promise('jacobi', 'huge-multiples', [none, 6.0, 5.0]), &
+      promise('jacobi_epsilon', 'above-1', [none, none, none]), &
+      promise('jacobi_arc', '', [1.0, 1.0, 5.0]), &
       promise('jacobi_zeta', '', [1.0, 1.0, 1.0]), &
       promise('heuman_lambda', '', [1.0, 1.0, 1.0]), &
       promise('parameter', '', [4.0, 4.0, 4.0]), &
