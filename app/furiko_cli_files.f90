@@ -168,8 +168,8 @@ contains
 
       can_replace = c_access(path // c_null_char, present) /= 0
       if (can_replace) return
-      can_replace = c_access(path // c_null_char, writable) == 0 .and. &
-         c_access(path // '/.' // c_null_char, present) /= 0
+      can_replace = c_access(path // c_null_char, writable) == 0
+      if (can_replace) can_replace = c_access(path // '/.' // c_null_char, present) /= 0
    end function can_replace
 
 

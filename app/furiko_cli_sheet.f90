@@ -38,8 +38,9 @@ contains
       integer :: i, width
 
       self%form = form
-      self%columns = columns
-      self%styles = styles
+      allocate(self%columns(size(columns)), self%styles(size(columns)))
+      self%columns(:) = columns
+      self%styles(:) = styles
       line = ''
       do i = 1, size(columns)
          if (form == 'csv') line = line // ',' // trim(columns(i))

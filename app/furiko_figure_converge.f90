@@ -59,12 +59,13 @@ contains
       m = 1 - cos(amplitude_%radians/2)**2
       mc = 1 - m
       exact = ellipk_mc(mc)
-      n = counts()
+      allocate(n, source=counts())
       call add_method('power series', ellipk_series_m(m, n), 'lines lw 2 dt (12, 4) lc rgb "#D55E00"')
       call add_method('trapezoidal rule', ellipk_trapezoid_mc(mc, n), &
          'lines lw 2 dt (4, 3) lc rgb "#0072B2"')
       call agm_steps_mc(mc, a, b, c, k, e)
-      n = [(i, i=1, size(k) - 1)]
+      deallocate(n)
+      allocate(n, source=[(i, i=1, size(k) - 1)])
       call add_method('AGM', k(2:), 'linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000"')
       call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // &
          '" at graph 0, 1 offset 0, 0.8 left')

@@ -110,7 +110,8 @@ contains
          call quit(3)
       end if
 
-      done = code == 0 .and. index(tail_of(self%name, 16), trim(closings(self%form))) > 0
+      done = code == 0
+      if (done) done = index(tail_of(self%name, 16), trim(closings(self%form))) > 0
       if (.not. done) then
          call complain('furiko plot: gnuplot drew no whole ' // self%path // ': ' // &
             last_line(tail_of(log_name, 1000)))
