@@ -75,13 +75,15 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: errors, output
       real(wp) :: row(6)
-      integer :: code
+      integer :: code, stat
 
       call run_program('motion --angle 0 --rate 10 --from 60 --to 60 --columns ' // &
          'time,angle,turns,rate,energy,tension', output, errors, code)
       call check(error, code, 0, errors)
       if (allocated(error)) return
-      read(output, *) row
+      read(output, *, iostat=stat) row
+      call check(error, stat, 0)
+      if (allocated(error)) return
       call check(error, abs(row(3) - anint(row(2)/acos(-1.0_wp)/2)) <= 0.0_wp .and. row(3) > 70)
       if (allocated(error)) return
       call check(error, abs(row(5) - row(4)**2/2 + 9.80665_wp*cos(row(2))) <= 1.0e-4_wp)
@@ -160,12 +162,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: row(10)
       character(len=:), allocatable :: errors, output
-      integer :: code
+      integer :: code, stat
 
       call run_program('converge --k 1/2 --steps 8', output, errors, code)
       call check(error, code == 0 .and. line_count(output) == 9)
       if (allocated(error)) return
-      read(output(index(output, nl // '    6'):), *) row
+      read(output(max(1, index(output, nl // '    6')):), *, iostat=stat) row
+      call check(error, stat, 0)
+      if (allocated(error)) return
       call check(error, abs(row(5) - 1.685750354812606_wp) <= 0.0_wp .and. nint(row(7)) == 14)
       if (allocated(error)) return
       call check(error, abs(row(8) - 1.685750354812596_wp) <= 0.0_wp .and. nint(row(10)) == 16)
@@ -208,6 +212,8 @@ contains
       do i = 1, size(methods)
          off(1) = error_of('--steps 100')
          off(2) = error_of('--steps 200')
+         call check(error, abs(off(1)) > 0.0_wp .and. abs(off(2)) > 0.0_wp, methods(i))
+         if (allocated(error)) return
          call check(error, nint(log(abs(off(1)/off(2)))/log(2.0_wp)), merge(2, 4, i == 2), methods(i))
          if (allocated(error)) return
       end do
@@ -223,14 +229,14 @@ contains
          character(len=:), allocatable :: errors, output
          character(len=200) :: line
          real(wp) :: row(5)
-         integer :: code
+         integer :: code, stat
 
          call run_shell('furiko rk4 --periods 1 --method ' // trim(methods(i)) // ' ' // steps // &
             ' --format csv | tail -n 1', output, errors, code)
          line = output
          row = 0
-         if (code == 0) read(line, *) row
-         off = row(4)
+         read(line, *, iostat=stat) row
+         off = merge(row(4), 0.0_wp, code == 0 .and. stat == 0)
       end function error_of
    end subroutine test_rk4
 
@@ -499,7 +505,7 @@ contains
       real(wp), allocatable :: numbers(:)
       character(len=len(text)) :: words
       logical :: inside(0:len(text))
-      integer :: i
+      integer :: i, stat
 
       words = text
       inside(0) = .false.
@@ -508,7 +514,8 @@ contains
          if (.not. inside(i)) words(i:i) = ' '
       end do
       allocate(numbers(count(inside(1:) .and. .not. inside(:len(text) - 1))))
-      read(words, *) numbers
+      read(words, *, iostat=stat) numbers
+      if (stat /= 0) numbers = huge(numbers)
    end function numbers_of
 
 end module test_pendulum_cli
