@@ -14,7 +14,7 @@ module fgsl
    public :: fgsl_sf_ellint_ecomp, fgsl_sf_ellint_ecomp_e
    public :: fgsl_sf_ellint_pcomp, fgsl_sf_ellint_f, fgsl_sf_ellint_e, fgsl_sf_ellint_p
    public :: fgsl_sf_ellint_d, fgsl_sf_ellint_rc, fgsl_sf_ellint_rd, fgsl_sf_ellint_rf
-   public :: fgsl_sf_ellint_rj
+   public :: fgsl_sf_ellint_rj, fgsl_sf_elljac_e
 
 
    integer, parameter :: fgsl_double = c_double
@@ -156,6 +156,14 @@ module fgsl
          integer(c_int), value :: mode
          real(c_double) :: gsl_sf_ellint_rj
       end function gsl_sf_ellint_rj
+
+      function gsl_sf_elljac_e(u, m, sn, cn, dn) bind(c)
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: u, m
+         real(c_double), intent(out) :: sn, cn, dn
+         integer(c_int) :: gsl_sf_elljac_e
+      end function gsl_sf_elljac_e
    end interface
 
 
@@ -301,5 +309,18 @@ contains
 
       value = gsl_sf_ellint_rj(x, y, z, p, mode%gsl_mode)
    end function fgsl_sf_ellint_rj
+
+
+   !> m is the parameter here
+   function fgsl_sf_elljac_e(u, m, sn, cn, dn) result(status)
+      real(fgsl_double), intent(in) :: u
+      real(fgsl_double), intent(in) :: m
+      real(fgsl_double), intent(out) :: sn
+      real(fgsl_double), intent(out) :: cn
+      real(fgsl_double), intent(out) :: dn
+      integer(fgsl_int) :: status
+
+      status = gsl_sf_elljac_e(u, m, sn, cn, dn)
+   end function fgsl_sf_elljac_e
 
 end module fgsl
