@@ -6,9 +6,11 @@ program main
    use furiko_cli_animate, only : animate_command
    use furiko_cli_arguments, only : argument_reader
    use furiko_cli_classics, only : converge_command, perimeter_command
+   use furiko_cli_digits, only : digits_command
    use furiko_cli_eval, only : eval_command
    use furiko_cli_motion, only : motion_command
    use furiko_cli_period, only : amplitude_command, drift_command, period_command
+   use furiko_cli_rk4, only : rk4_command
    use furiko_cli_table, only : table_command
    use furiko_cli_terminal, only : finish, put, refuse
    implicit none
@@ -20,7 +22,9 @@ program main
       '  period     the period for an amplitude' // nl // &
       '  amplitude  the amplitude for a period: where a pendulum is 3 % slow' // nl // &
       '  drift      how long a small-angle clock keeps step' // nl // &
+      '  rk4        step by step: Runge-Kutta, Stoermer-Verlet, Forest-Ruth' // nl // &
       '  converge   series, trapezoidal rule and AGM side by side' // nl // &
+      '  digits     K to 33 digits' // nl // &
       '  perimeter  of an ellipse' // nl // &
       '  eval       any function of the library on rows of arguments' // nl // &
       '  animate    the pendulum in motion, as a page for the browser' // nl // nl // &
@@ -48,8 +52,12 @@ program main
       call amplitude_command(arguments)
    case ('drift')
       call drift_command(arguments)
+   case ('rk4')
+      call rk4_command(arguments)
    case ('converge')
       call converge_command(arguments)
+   case ('digits')
+      call digits_command(arguments)
    case ('perimeter')
       call perimeter_command(arguments)
    case ('eval')

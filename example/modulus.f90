@@ -12,6 +12,6 @@ program one_modulus
    p = modulus_from_amplitude(179.9_wp*degree)
    u = p%quarter_period()*[1.0_wp, 1.25_wp, 1.5_wp, 1.75_wp, 2.0_wp]
    call p%jacobi(u, sn, cn, dn)
-   print '(5f11.6)', 2*asin(p%k()*sn)/degree   ! => 179.900000 179.582515 176.614370 152.282364 0.000000
-   print '(f18.15)', p%quarter_period()        ! => 8.430255141254294
+   print '(5f9.4)', 2*asin(p%k()*sn)/degree   ! => 179.9000 179.5825 176.6144 152.2824 0.0000
+   print '(f18.15)', p%quarter_period()       ! => 8.430255141254294
 end program one_modulus

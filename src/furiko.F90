@@ -47,6 +47,17 @@ module furiko
 #ifdef __GFC_REAL_16__
    use furiko_modulus, only : modulus_real128
 #endif
+   use furiko_jacobi_epsilon, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
+   use furiko_jacobi_inverse, only : jacobi_arcsn_k, jacobi_arcsn_m, jacobi_arcsn_mc, &
+      jacobi_arccn_k, jacobi_arccn_m, jacobi_arccn_mc, jacobi_arcdn_k, jacobi_arcdn_m, &
+      jacobi_arcdn_mc, jacobi_arcns_k, jacobi_arcns_m, jacobi_arcns_mc, jacobi_arcnc_k, &
+      jacobi_arcnc_m, jacobi_arcnc_mc, jacobi_arcnd_k, jacobi_arcnd_m, jacobi_arcnd_mc, &
+      jacobi_arcsc_k, jacobi_arcsc_m, jacobi_arcsc_mc, jacobi_arccs_k, jacobi_arccs_m, &
+      jacobi_arccs_mc, jacobi_arcsd_k, jacobi_arcsd_m, jacobi_arcsd_mc, jacobi_arcds_k, &
+      jacobi_arcds_m, jacobi_arcds_mc, jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, &
+      jacobi_arcdc_k, jacobi_arcdc_m, jacobi_arcdc_mc
+   use furiko_inverse_period, only : parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
    use furiko_jacobi_zeta, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, &
       heuman_lambda_m, heuman_lambda_mc
    use furiko_motion, only : pendulum, motion, pendulum_real32, motion_real32
@@ -89,6 +100,17 @@ module furiko
       modulus_from_alpha, modulus_from_amplitude
    public :: jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, heuman_lambda_m, &
       heuman_lambda_mc
+   public :: jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
+   public :: jacobi_arcsn_k, jacobi_arcsn_m, jacobi_arcsn_mc, jacobi_arccn_k, jacobi_arccn_m, &
+      jacobi_arccn_mc, jacobi_arcdn_k, jacobi_arcdn_m, jacobi_arcdn_mc, jacobi_arcns_k, &
+      jacobi_arcns_m, jacobi_arcns_mc, jacobi_arcnc_k, jacobi_arcnc_m, jacobi_arcnc_mc, &
+      jacobi_arcnd_k, jacobi_arcnd_m, jacobi_arcnd_mc, jacobi_arcsc_k, jacobi_arcsc_m, &
+      jacobi_arcsc_mc, jacobi_arccs_k, jacobi_arccs_m, jacobi_arccs_mc, jacobi_arcsd_k, &
+      jacobi_arcsd_m, jacobi_arcsd_mc, jacobi_arcds_k, jacobi_arcds_m, jacobi_arcds_mc, &
+      jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, jacobi_arcdc_k, jacobi_arcdc_m, &
+      jacobi_arcdc_mc
+   public :: parameter_from_ellipk, complementary_parameter_from_ellipk, &
+      parameter_from_period_ratio, complementary_parameter_from_period_ratio
    public :: pendulum, motion, pendulum_real32, motion_real32
 #ifdef __GFC_REAL_16__
    public :: modulus_real128, pendulum_real128, motion_real128

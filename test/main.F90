@@ -34,12 +34,18 @@ program main
    use test_jacobi_qp, only : collect_jacobi_qp => collect_jacobi
 #endif
    use test_jacobi_sp, only : collect_jacobi_sp => collect_jacobi
+   use test_motion_dp, only : collect_motion_dp => collect_motion
+#ifdef __GFC_REAL_16__
+   use test_motion_qp, only : collect_motion_qp => collect_motion
+#endif
+   use test_motion_sp, only : collect_motion_sp => collect_motion
    use test_nome_dp, only : collect_nome_dp => collect_nome
 #ifdef __GFC_REAL_16__
    use test_nome_qp, only : collect_nome_qp => collect_nome
 #endif
    use test_nome_sp, only : collect_nome_sp => collect_nome
    use test_notes, only : collect_notes
+   use test_pendulum_cli, only : collect_pendulum_cli
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -52,6 +58,7 @@ program main
    suites = [ &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('pendulum-cli', collect_pendulum_cli), &
       new_testsuite('notes', collect_notes), &
       new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &
@@ -65,6 +72,8 @@ program main
       new_testsuite('integrators-real64', collect_integrators_dp), &
       new_testsuite('jacobi-real32', collect_jacobi_sp), &
       new_testsuite('jacobi-real64', collect_jacobi_dp), &
+      new_testsuite('motion-real32', collect_motion_sp), &
+      new_testsuite('motion-real64', collect_motion_dp), &
       new_testsuite('nome-real32', collect_nome_sp), &
       new_testsuite('nome-real64', collect_nome_dp), &
       new_testsuite('accuracy', collect_accuracy), &
@@ -75,7 +84,8 @@ program main
       new_testsuite('classics-real128', collect_classics_qp), &
       new_testsuite('integrators-real128', collect_integrators_qp), &
       new_testsuite('jacobi-real128', collect_jacobi_qp), &
-      new_testsuite('nome-real128', collect_nome_qp)]
+      new_testsuite('nome-real128', collect_nome_qp), &
+      new_testsuite('motion-real128', collect_motion_qp)]
 #endif
 
    call get_argument(1, suite)

@@ -61,7 +61,9 @@ module test_accuracy
    character(len=*), parameter :: kind_names(3) = ['real32 ', 'real64 ', 'real128']
 
    character(len=*), parameter :: files(*) = [character(len=24) :: 'complete', 'incomplete', &
-      'third_kind', 'third_kind_incomplete', 'carlson', 'period', 'nome', 'theta']
+      'third_kind', 'third_kind_incomplete', 'carlson', 'period', 'nome', 'theta', &
+      'jacobi', 'jacobi_quotients', 'jacobi_inverse', 'jacobi_inverse_quotients', 'jacobi_zeta', &
+      'heuman_lambda', 'parameter']
 
 
    !> A bound in ulp, per kind, for all forms of a family; in one regime, or in all. Arrays may have
@@ -81,18 +83,27 @@ module test_accuracy
       promise('ellipe', '', [0.55, 0.55, 4.0]), &
       promise('ellipb', '', [0.6, 0.6, 4.0]), &
       promise('ellipd', '', [0.6, 0.6, 4.0]), &
-      promise('ellippi', '', [1.5, 0.6, 1.0]), &
-      promise('ellipf', '', [1.0, 0.6, 1.0]), &
+      promise('ellippi', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
+      promise('ellipf', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
       promise('ellipf', 'above-1', [4.0, 30.0, none]), &
-      promise('ellipeinc', '', [1.0, 0.6, 1.0]), &
-      promise('ellipdinc', '', [1.0, 0.6, 1.0]), &
+      promise('ellipeinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
+      promise('ellipdinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
       promise('ellipdinc', 'above-1', [4.0, 50.0, none]), &
-      promise('ellippiinc', '', [1.5, 0.6, 1.0]), &
+      promise('ellippiinc', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
       promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
-      promise('carlson', '', [2.0, 2.0, 2.0]), &
+      promise('carlson', '', [2.0, 2.0, 2.0], [3.0, 3.0, 2.0]), &
       promise('period', '', [2.0, 2.0, 4.0]), &
       promise('nome', '', [1.0, 1.0, 1.0]), &
-      promise('theta', '', [1.0, 1.0, 1.0])]
+      promise('theta', '', [1.0, 1.0, 1.0]), &
+      promise('jacobi', '', [5.0, 5.0, 5.0]), &
+      promise('jacobi', 'huge-u', [none, 5.0, 5.0]), &
+      promise('jacobi', 'huge-multiples', [none, 6.0, 5.0]), &
+      promise('jacobi_epsilon', 'above-1', [none, none, none]), &
+      promise('jacobi_arc', '', [1.0, 1.0, 5.0]), &
+      promise('jacobi_zeta', '', [1.0, 1.0, 1.0]), &
+      promise('heuman_lambda', '', [1.0, 1.0, 1.0]), &
+      promise('parameter', '', [4.0, 4.0, 4.0]), &
+      promise('complementary', '', [4.0, 4.0, 4.0])]
 
 
 contains
@@ -109,7 +120,14 @@ contains
          new_unittest('carlson', test_carlson), &
          new_unittest('period', test_period), &
          new_unittest('nome', test_nome), &
-         new_unittest('theta', test_theta)]
+         new_unittest('theta', test_theta), &
+         new_unittest('jacobi', test_jacobi), &
+         new_unittest('jacobi-quotients', test_jacobi_quotients), &
+         new_unittest('jacobi-inverse', test_jacobi_inverse), &
+         new_unittest('jacobi-inverse-quotients', test_jacobi_inverse_quotients), &
+         new_unittest('jacobi-zeta', test_jacobi_zeta), &
+         new_unittest('heuman-lambda', test_heuman_lambda), &
+         new_unittest('parameter', test_parameter)]
    end subroutine collect_accuracy
 
 
@@ -167,6 +185,55 @@ contains
 
       call check_file(error, 'theta')
    end subroutine test_theta
+
+
+   subroutine test_jacobi(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'jacobi')
+   end subroutine test_jacobi
+
+
+   subroutine test_jacobi_quotients(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'jacobi_quotients')
+   end subroutine test_jacobi_quotients
+
+
+   subroutine test_jacobi_inverse(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'jacobi_inverse')
+   end subroutine test_jacobi_inverse
+
+
+   subroutine test_jacobi_inverse_quotients(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'jacobi_inverse_quotients')
+   end subroutine test_jacobi_inverse_quotients
+
+
+   subroutine test_jacobi_zeta(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'jacobi_zeta')
+   end subroutine test_jacobi_zeta
+
+
+   subroutine test_heuman_lambda(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'heuman_lambda')
+   end subroutine test_heuman_lambda
+
+
+   subroutine test_parameter(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'parameter')
+   end subroutine test_parameter
 
 
    !> No point of the file beyond its promise, in any kind

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Write the sine of the pendulum's steps, src/integrators/furiko_pendulum_{sine,pi}_{sp,dp}.inc.
 
-sin(r) = r + r w p(w), w = r^2, abs(r) <= pi/2 + 1/4, p by Chebyshev interpolation; and pi in three
-parts, the first two short enough that n times them is exact for n < 2^20 (real64), 2^8 (real32).
+sin(r) = r + r w p(w), w = r^2, abs(r) <= pi/2 + 1/4, p by Chebyshev interpolation; and pi in two
+parts, the first one short enough that n times it is exact for n < 2^20 (real64), 2^8 (real32).
 
 usage: make_pendulum_sine.py [FOLDER]
 """
@@ -36,13 +36,10 @@ def coefficients(count):
 
 
 def parts_of_pi(bits):
-    """pi in three parts, of `bits` bits but for the last"""
-    rest, parts = +mp.pi, []
-    for _ in range(2):
-        unit = mpf(2)**(mp.floor(mp.log(rest, 2)) - bits + 1)
-        parts.append(mp.floor(rest/unit)*unit)
-        rest -= parts[-1]
-    return parts + [rest]
+    """pi in two parts, the first one of `bits` bits"""
+    unit = mpf(2)**(2 - bits)
+    first = mp.floor(mp.pi/unit)*unit
+    return [first, mp.pi - first]
 
 
 def number(x, digits):
@@ -56,7 +53,7 @@ def main():
         c, error = coefficients(count)
         print(kind, "error", mp.nstr(error, 3), file=sys.stderr)
         pi = ["   ! pi in parts, written by make_pendulum_sine.py",
-              "   real(wp), parameter :: pi(3) = [ &",
+              "   real(wp), parameter :: pi(2) = [ &",
               ", &\n".join("      " + number(x, 30) for x in parts_of_pi(bits)) + "]"]
         (folder/f"furiko_pendulum_pi_{kind}.inc").write_text("\n".join(pi) + "\n")
         sine = ["   !> (sin(r)/r - 1)/w, w = r^2, abs(r) <= pi/2 + 1/4, written by make_pendulum_sine.py",

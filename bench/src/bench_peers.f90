@@ -17,6 +17,7 @@ module bench_peers
    public :: gsl_rf, boost_rf
    public :: gsl_rd, boost_rd
    public :: gsl_rj, boost_rj
+   public :: gsl_elljac, boost_jacobi
 
 
    interface
@@ -184,6 +185,28 @@ module bench_peers
          real(c_double), value :: x, y, z, p
          real(c_double) :: value
       end function boost_rj
+
+      !> Takes m = k^2
+      function gsl_elljac(u, m, sn, cn, dn) result(stat) bind(c, name='gsl_sf_elljac_e')
+         import :: c_double, c_int
+         implicit none
+         real(c_double), value :: u
+         real(c_double), value :: m
+         real(c_double), intent(out) :: sn
+         real(c_double), intent(out) :: cn
+         real(c_double), intent(out) :: dn
+         integer(c_int) :: stat
+      end function gsl_elljac
+
+      function boost_jacobi(k, u, cn, dn) result(sn) bind(c)
+         import :: c_double
+         implicit none
+         real(c_double), value :: k
+         real(c_double), value :: u
+         real(c_double), intent(out) :: cn
+         real(c_double), intent(out) :: dn
+         real(c_double) :: sn
+      end function boost_jacobi
    end interface
 
 end module bench_peers

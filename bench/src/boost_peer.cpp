@@ -12,6 +12,7 @@
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rj.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
 namespace peer = boost::math;
 static const peer::policies::policy<peer::policies::promote_double<false>> plain;
 #define PEER(value) value
@@ -31,5 +32,6 @@ double boost_dinc(double phi, double k) { return PEER(peer::ellint_d(k, phi, pla
 double boost_piinc(double phi, double k, double n) { return PEER(peer::ellint_3(k, n, phi, plain)); }
 double boost_rf(double x, double y, double z) { return PEER(peer::ellint_rf(x, y, z, plain)); }
 double boost_rd(double x, double y, double z) { return PEER(peer::ellint_rd(x, y, z, plain)); }
+double boost_jacobi(double k, double u, double *cn, double *dn) { return PEER(peer::jacobi_elliptic(k, u, cn, dn, plain)); }
 double boost_rj(double x, double y, double z, double p) { return PEER(peer::ellint_rj(x, y, z, p, plain)); }
 }

@@ -9,7 +9,8 @@ module furiko_modulus_sp
    use furiko_half_pi_sp, only : half_pi
    use furiko_complete_sp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_sp, only : ellipeinc_mc
-   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, whole
+   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
+      whole
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -24,7 +25,8 @@ module furiko_modulus_dp
    use furiko_half_pi_dp, only : half_pi
    use furiko_complete_dp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_dp, only : ellipeinc_mc
-   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, whole
+   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
+      whole
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -40,7 +42,8 @@ module furiko_modulus_qp
    use furiko_half_pi_qp, only : half_pi
    use furiko_complete_qp, only : ellipk_mc, ellipe_mc
    use furiko_incomplete_qp, only : ellipeinc_mc
-   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, whole
+   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
+      whole
    implicit none
    private
    include 'furiko_modulus.inc'

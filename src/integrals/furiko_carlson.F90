@@ -1,39 +1,30 @@
 ! SPDX-License-Identifier: MIT
 
 module furiko_carlson_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
-   use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   use furiko_carlson_words_sp, only : rf, rc, rd, rj, rg, rg_batch
+   use furiko_carlson_plain_sp, only : rf_batch, rc_batch, rd_batch, rj_batch
    implicit none
    private
    include 'furiko_carlson.inc'
-   include 'furiko_head_sp.inc'
 end module furiko_carlson_sp
 
 
 module furiko_carlson_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
-   use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   use furiko_carlson_words_dp, only : rf, rc, rd, rj, rg, rg_batch
+   use furiko_carlson_plain_dp, only : rf_batch, rc_batch, rd_batch, rj_batch
    implicit none
    private
    include 'furiko_carlson.inc'
-   include 'furiko_head_dp.inc'
 end module furiko_carlson_dp
 
 
 #ifdef __GFC_REAL_16__
 module furiko_carlson_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
-   use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   use furiko_carlson_words_qp, only : rf, rc, rd, rj, rg, &
+      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
    implicit none
    private
    include 'furiko_carlson.inc'
-   include 'furiko_head_qp.inc'
 end module furiko_carlson_qp
 #endif
 

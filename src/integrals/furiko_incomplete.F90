@@ -2,7 +2,8 @@
 
 module furiko_incomplete_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use furiko_legendre_sp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_plain_sp, only : integral
+   use furiko_legendre_sp, only : first, second, second_d, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_incomplete.inc'
@@ -11,7 +12,8 @@ end module furiko_incomplete_sp
 
 module furiko_incomplete_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_legendre_dp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_plain_dp, only : integral
+   use furiko_legendre_dp, only : first, second, second_d, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_incomplete.inc'

@@ -2,7 +2,8 @@
 
 module furiko_third_kind_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use furiko_legendre_sp, only : integral, complete_third, third, by_k, by_m, by_mc
+   use furiko_legendre_plain_sp, only : integral, complete_third
+   use furiko_legendre_sp, only : third, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_third_kind.inc'
@@ -11,7 +12,8 @@ end module furiko_third_kind_sp
 
 module furiko_third_kind_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_legendre_dp, only : integral, complete_third, third, by_k, by_m, by_mc
+   use furiko_legendre_plain_dp, only : integral, complete_third
+   use furiko_legendre_dp, only : third, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_third_kind.inc'

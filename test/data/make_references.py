@@ -25,13 +25,14 @@ from flint import arb
 
 import reference_integrals
 import reference_jacobi
+import reference_motion
 from reference_integrals import KINDS, Dice
 
 HERE = pathlib.Path(__file__).parent
-TOPICS = reference_integrals.TOPICS | reference_jacobi.TOPICS
+TOPICS = reference_integrals.TOPICS | reference_jacobi.TOPICS | reference_motion.TOPICS
 POINTS = {"real32": 400, "real64": 2000, "real128": 400}  # at least, in each regime of a function
 # Of these, a form's share where it is not one over the number of forms.
-SHARES = {"carlson": 1} | reference_jacobi.SHARES
+SHARES = {"carlson": 1} | reference_jacobi.SHARES | reference_motion.SHARES
 KEPT = 140  # bits of a value, 42 digits
 mp.mp.dps = 150
 

@@ -1,0 +1,39 @@
+! SPDX-License-Identifier: MIT
+
+!> Carlson's forms from duplication in words, one at a time or many. Internal.
+module furiko_carlson_words_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   implicit none
+   private
+   include 'furiko_carlson_words.inc'
+   include 'furiko_head_sp.inc'
+end module furiko_carlson_words_sp
+
+
+module furiko_carlson_words_dp
+   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   implicit none
+   private
+   include 'furiko_carlson_words.inc'
+   include 'furiko_head_dp.inc'
+end module furiko_carlson_words_dp
+
+
+#ifdef __GFC_REAL_16__
+module furiko_carlson_words_qp
+   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
+      ieee_positive_inf
+   use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   implicit none
+   private
+   include 'furiko_carlson_words.inc'
+   include 'furiko_head_qp.inc'
+end module furiko_carlson_words_qp
+#endif
