@@ -7,8 +7,8 @@ module furiko_modulus_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
    use furiko_half_pi_sp, only : half_pi
-   use furiko_complete_sp, only : ellipk_mc, ellipe_mc
-   use furiko_incomplete_sp, only : ellipeinc_mc
+   use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
+   use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
@@ -23,8 +23,8 @@ module furiko_modulus_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
    use furiko_half_pi_dp, only : half_pi
-   use furiko_complete_dp, only : ellipk_mc, ellipe_mc
-   use furiko_incomplete_dp, only : ellipeinc_mc
+   use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
+   use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
@@ -40,8 +40,8 @@ module furiko_modulus_qp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
    use furiko_half_pi_qp, only : half_pi
-   use furiko_complete_qp, only : ellipk_mc, ellipe_mc
-   use furiko_incomplete_qp, only : ellipeinc_mc
+   use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
+   use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
    implicit none
