@@ -5,7 +5,8 @@
 module test_fgsl
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use fgsl, only : fgsl_edom, fgsl_error_handler_t, fgsl_prec_double, fgsl_set_error_handler_off, &
-      fgsl_sf_elljac_e, fgsl_sf_ellint_d, fgsl_sf_ellint_e, fgsl_sf_ellint_ecomp, fgsl_sf_ellint_f, &
+      fgsl_sf_elljac_e, fgsl_sf_ellint_d, fgsl_sf_ellint_e, fgsl_sf_ellint_ecomp, &
+      fgsl_sf_ellint_f, &
       fgsl_sf_ellint_kcomp, fgsl_sf_ellint_kcomp_e, fgsl_sf_ellint_p, fgsl_sf_ellint_pcomp, &
       fgsl_sf_ellint_rc, fgsl_sf_ellint_rd, fgsl_sf_ellint_rf, fgsl_sf_ellint_rj, fgsl_sf_result, &
       fgsl_success
@@ -46,7 +47,8 @@ contains
 
       do i = -990, 990
          k = 0.001_wp*i
-         call check(error, abs(fgsl_sf_ellint_kcomp(k, fgsl_prec_double)/ellipk_k(k) - 1) < 1e-13_wp)
+         call check(error, abs(fgsl_sf_ellint_kcomp(k, &
+            fgsl_prec_double)/ellipk_k(k) - 1) < 1e-13_wp)
          if (allocated(error)) return
       end do
    end subroutine test_first_kind
@@ -59,7 +61,8 @@ contains
 
       do i = -990, 990
          k = 0.001_wp*i
-         call check(error, abs(fgsl_sf_ellint_ecomp(k, fgsl_prec_double)/ellipe_k(k) - 1) < 1e-13_wp)
+         call check(error, abs(fgsl_sf_ellint_ecomp(k, &
+            fgsl_prec_double)/ellipe_k(k) - 1) < 1e-13_wp)
          if (allocated(error)) return
       end do
    end subroutine test_second_kind
@@ -75,9 +78,11 @@ contains
          gap = 10.0_wp**(-i)
          k = 1 - gap
          tolerance = merge(4*epsilon(k)/gap, 1e-7_wp, gap > 1e-8_wp)
-         call check(error, abs(fgsl_sf_ellint_kcomp(k, fgsl_prec_double)/ellipk_k(k) - 1) < tolerance)
+         call check(error, abs(fgsl_sf_ellint_kcomp(k, &
+            fgsl_prec_double)/ellipk_k(k) - 1) < tolerance)
          if (allocated(error)) return
-         call check(error, abs(fgsl_sf_ellint_ecomp(k, fgsl_prec_double)/ellipe_k(k) - 1) < tolerance)
+         call check(error, abs(fgsl_sf_ellint_ecomp(k, &
+            fgsl_prec_double)/ellipe_k(k) - 1) < tolerance)
          if (allocated(error)) return
       end do
    end subroutine test_next_to_1
@@ -127,8 +132,10 @@ contains
       do i = 1, size(x, 1)
          associate (k => x(i, 1), phi => 1.4_wp*x(i, 2))
             call check(error, &
-               abs(fgsl_sf_ellint_f(phi, k, fgsl_prec_double)/ellipf_k(phi, k) - 1) < 1e-13_wp .and. &
-               abs(fgsl_sf_ellint_e(phi, k, fgsl_prec_double)/ellipeinc_k(phi, k) - 1) < 1e-13_wp .and. &
+               abs(fgsl_sf_ellint_f(phi, k, fgsl_prec_double)/ellipf_k(phi, &
+               k) - 1) < 1e-13_wp .and. &
+               abs(fgsl_sf_ellint_e(phi, k, fgsl_prec_double)/ellipeinc_k(phi, &
+               k) - 1) < 1e-13_wp .and. &
                abs(fgsl_sf_ellint_d(phi, k, fgsl_prec_double)/ellipdinc_k(phi, k) - 1) < 1e-13_wp)
          end associate
          if (allocated(error)) return
@@ -145,10 +152,14 @@ contains
       do i = 1, size(x, 1)
          associate (a => x(i, 1), b => x(i, 2), c => x(i, 3), d => x(i, 4))
             call check(error, &
-               abs(fgsl_sf_ellint_rf(a, b, c, fgsl_prec_double)/carlson_rf(a, b, c) - 1) < 1e-14_wp .and. &
-               abs(fgsl_sf_ellint_rc(a, b, fgsl_prec_double)/carlson_rc(a, b) - 1) < 1e-14_wp .and. &
-               abs(fgsl_sf_ellint_rd(a, b, c, fgsl_prec_double)/carlson_rd(a, b, c) - 1) < 1e-14_wp .and. &
-               abs(fgsl_sf_ellint_rj(a, b, c, d, fgsl_prec_double)/carlson_rj(a, b, c, d) - 1) < 1e-14_wp)
+               abs(fgsl_sf_ellint_rf(a, b, c, fgsl_prec_double)/carlson_rf(a, b, &
+               c) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rc(a, b, fgsl_prec_double)/carlson_rc(a, &
+               b) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rd(a, b, c, fgsl_prec_double)/carlson_rd(a, b, &
+               c) - 1) < 1e-14_wp .and. &
+               abs(fgsl_sf_ellint_rj(a, b, c, d, fgsl_prec_double)/carlson_rj(a, b, c, &
+               d) - 1) < 1e-14_wp)
          end associate
          if (allocated(error)) return
       end do
@@ -180,7 +191,8 @@ contains
    subroutine test_jacobi_next_to_1(error)
       type(error_type), allocatable, intent(out) :: error
       real(wp), parameter :: m = 1 - epsilon(1.0_wp)/2
-      real(wp), parameter :: reference(3) = [-0.999354014197632359902_wp, 0.03593820122207592671338_wp, &
+      real(wp), parameter :: reference(3) = [-0.999354014197632359902_wp, &
+         0.03593820122207592671338_wp, &
          0.03593820122207746934639_wp]
       real(wp) :: gsl(3), ours(3)
 
@@ -198,7 +210,8 @@ contains
    subroutine test_jacobi_far(error)
       type(error_type), allocatable, intent(out) :: error
       type(fgsl_error_handler_t) :: previous
-      real(wp), parameter :: reference(3) = [-0.9402218551681907492811_wp, 0.3405625685011283479556_wp, &
+      real(wp), parameter :: reference(3) = [-0.9402218551681907492811_wp, &
+         0.3405625685011283479556_wp, &
          0.7469882405580712146763_wp]
       real(wp) :: gsl(3), ours(3)
 

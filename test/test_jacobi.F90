@@ -6,12 +6,14 @@ module test_jacobi_sp
       ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus => modulus_real32, modulus_from_k, modulus_from_m, &
-      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, ellipf_m, &
+      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
+      ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, jacobi_arcnd_m, &
+      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
    use test_program, only : test_folder
@@ -28,12 +30,14 @@ module test_jacobi_dp
       ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus, modulus_from_k, modulus_from_m, &
-      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, ellipf_m, &
+      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
+      ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, jacobi_arcnd_m, &
+      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
    use test_program, only : test_folder
@@ -51,12 +55,14 @@ module test_jacobi_qp
       ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus => modulus_real128, modulus_from_k, modulus_from_m, &
-      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, ellipf_m, &
+      modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
+      ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, jacobi_arcnd_m, &
+      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
    use test_program, only : test_folder
