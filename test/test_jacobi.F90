@@ -4,7 +4,8 @@ module test_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, ieee_set_flag, &
+      ieee_set_halting_mode, ieee_usual
    use furiko, only : modulus => modulus_real32, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
       ellipf_m, &
@@ -28,7 +29,8 @@ module test_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, ieee_set_flag, &
+      ieee_set_halting_mode, ieee_usual
    use furiko, only : modulus, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
       ellipf_m, &
@@ -53,7 +55,8 @@ module test_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, ieee_set_flag, &
+      ieee_set_halting_mode, ieee_usual
    use furiko, only : modulus => modulus_real128, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude, ellipe_m, ellipeinc_m, &
       ellipf_m, &
