@@ -42,7 +42,8 @@ module furiko_cli_period
       'furiko drift (--amplitude A | --slower P) [--off Q] [--length L] [--gravity G] [--format F]' // &
       nl // nl // &
       'After how many swings a clock that counts on small swings is off by Q of a swing, and when,' // &
-      nl // 'if its pendulum swings out to A (degrees, or as 1rad) or is slower by the part P.' // nl // nl // &
+      nl // 'if its pendulum swings out to A (degrees, or as 1rad) or is slower by the part P.' // &
+      nl // nl // &
       '  --off Q        part of a swing, as 1/2 or 30% (1/2)' // nl // &
       '  --length L     metres, or as 25cm (1)' // nl // &
       '  --gravity G    m/s^2 (9.80665)' // nl // &

@@ -23,7 +23,7 @@ module furiko_cli_rk4
       '           [--every N] [--linear C] [--quadratic C] [--drive F --drive-frequency W]' // nl // &
       '           [--length L] [--gravity G] [--format F]' // nl // nl // &
       'The pendulum step by step: time in periods of the exact motion, angle and rate, how far the angle' // &
-      nl // 'is from the exact one, and how much of the energy (over 2 omega^2, from the bottom) is lost.' // &
+      nl // 'is from the exact one, and how much of the energy (over 2 omega^2) is lost.' // &
       nl // nl // &
       '  --amplitude A      through the bottom at the time 0, swinging out to A (1rad)' // nl // &
       '  --angle A --rate R any start; R in rad/s (0)' // nl // &

@@ -311,6 +311,7 @@ contains
    end function fgsl_sf_ellint_rj
 
 
+   !> m is the parameter here
    function fgsl_sf_elljac_e(u, m, sn, cn, dn) result(status)
       real(fgsl_double), intent(in) :: u
       real(fgsl_double), intent(in) :: m

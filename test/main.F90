@@ -29,11 +29,21 @@ program main
    use test_integrators_qp, only : collect_integrators_qp => collect_integrators
 #endif
    use test_integrators_sp, only : collect_integrators_sp => collect_integrators
+   use test_jacobi_dp, only : collect_jacobi_dp => collect_jacobi
+#ifdef __GFC_REAL_16__
+   use test_jacobi_qp, only : collect_jacobi_qp => collect_jacobi
+#endif
+   use test_jacobi_sp, only : collect_jacobi_sp => collect_jacobi
    use test_motion_dp, only : collect_motion_dp => collect_motion
 #ifdef __GFC_REAL_16__
    use test_motion_qp, only : collect_motion_qp => collect_motion
 #endif
    use test_motion_sp, only : collect_motion_sp => collect_motion
+   use test_nome_dp, only : collect_nome_dp => collect_nome
+#ifdef __GFC_REAL_16__
+   use test_nome_qp, only : collect_nome_qp => collect_nome
+#endif
+   use test_nome_sp, only : collect_nome_sp => collect_nome
    use test_notes, only : collect_notes
    use test_pendulum_cli, only : collect_pendulum_cli
    use test_plot, only : collect_plot
@@ -62,8 +72,12 @@ program main
       new_testsuite('classics-real64', collect_classics_dp), &
       new_testsuite('integrators-real32', collect_integrators_sp), &
       new_testsuite('integrators-real64', collect_integrators_dp), &
+      new_testsuite('jacobi-real32', collect_jacobi_sp), &
+      new_testsuite('jacobi-real64', collect_jacobi_dp), &
       new_testsuite('motion-real32', collect_motion_sp), &
       new_testsuite('motion-real64', collect_motion_dp), &
+      new_testsuite('nome-real32', collect_nome_sp), &
+      new_testsuite('nome-real64', collect_nome_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef __GFC_REAL_16__
@@ -71,6 +85,8 @@ program main
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
       new_testsuite('classics-real128', collect_classics_qp), &
       new_testsuite('integrators-real128', collect_integrators_qp), &
+      new_testsuite('jacobi-real128', collect_jacobi_qp), &
+      new_testsuite('nome-real128', collect_nome_qp), &
       new_testsuite('motion-real128', collect_motion_qp)]
 #endif
 

@@ -14,7 +14,7 @@ module test_pendulum_cli
 
    !> One of each command with rows
    character(len=*), parameter :: samples(*) = [character(len=110) :: &
-      'motion --amplitude 99 --to 1 --step .5 --columns time,angle,harmonic,rate,energy,tension,turns,phase', &
+      'motion --amplitude 99 --to 1 --step .5 --columns time,angle,harmonic,rate,tension,turns,phase', &
       'motion --release 1rad --to 1 --step .5', &
       'motion --angle 10 --rate 7 --to 1 --step .5', &
       'period 45 1rad 0 --terms 3', &

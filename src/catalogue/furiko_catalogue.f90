@@ -159,7 +159,8 @@ module furiko_catalogue
       catalogue_entry('parameter_from_ellipk', 'kk', 'm', 'inverse of K'), &
       catalogue_entry('complementary_parameter_from_ellipk', 'kk', 'mc', 'inverse of K, 1 - m'), &
       catalogue_entry('parameter_from_period_ratio', 'ratio', 'm', 'inverse of T/T_h'), &
-      catalogue_entry('complementary_parameter_from_period_ratio', 'ratio', 'mc', 'inverse of T/T_h, 1 - m'), &
+      catalogue_entry('complementary_parameter_from_period_ratio', 'ratio', 'mc', &
+      'inverse of T/T_h, 1 - m'), &
       catalogue_entry('theta1', 'z q', 'theta1', 'theta function'), &
       catalogue_entry('theta2', 'z q', 'theta2', 'theta function'), &
       catalogue_entry('theta3', 'z q', 'theta3', 'theta function'), &
