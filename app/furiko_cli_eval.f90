@@ -69,7 +69,7 @@ contains
       integer :: i
 
       do i = 1, size(catalogue)
-         call put(catalogue(i)%name // catalogue(i)%arguments // catalogue(i)%results // ' ' // &
+         call put(catalogue(i)%name // ' ' // catalogue(i)%arguments // catalogue(i)%results // ' ' // &
             trim(catalogue(i)%about))
       end do
       call finish()

@@ -9,7 +9,7 @@ module furiko_cli_motion
    use furiko_cli_quantity, only : angle_of, number_of, pure_number, seconds
    use furiko_cli_sheet, only : begin_sheet, sheet
    use furiko_cli_terminal, only : finish, put, refuse
-   use furiko_double_word, only : double_word
+   use furiko_double_word, only : double_word, double_word_pi, operator(-)
    implicit none
    private
    public :: motion_command
@@ -27,7 +27,7 @@ module furiko_cli_motion
       'Angles are in degrees, or as 1rad. Further:' // nl // nl // &
       '  --from T, --to T    first and last time in seconds, or as 500ms, 2min (0, 10)' // nl // &
       '  --step DT           distance of the rows (0.01)' // nl // &
-      '  --columns LIST      any of time,angle,harmonic,rate,energy,tension,turns,phase' // nl // &
+      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase' // nl // &
       '                      (time,angle,harmonic); angles in radians, energy over m l^2,' // nl // &
       '                      tension over the weight; harmonic is the small-angle motion from' // nl // &
       '                      the same start' // nl // &
@@ -37,9 +37,14 @@ module furiko_cli_motion
       nl // nl // 'Example, the note''s:' // nl // nl // &
       '  furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8'
    character(len=*), parameter :: known_columns(*) = [character(len=8) :: 'time', 'angle', &
-      'harmonic', 'rate', 'energy', 'tension', 'turns', 'phase']
-   character(len=*), parameter :: units(*) = [character(len=6) :: 's', 'rad', 'rad', 'rad_s', &
-      's_2', '', '', '']
+      'harmonic', 'degrees', 'rate', 'energy', 'tension', 'turns', 'phase']
+   character(len=*), parameter :: units(*) = [character(len=6) :: 's', 'rad', 'rad', '', &
+      'rad_s', 's_2', '', '', '']
+
+
+   real(wp), parameter :: most_rows = 1.0e12_wp
+   real(wp), parameter :: most_degrees = 1.0e9_wp
+   real(wp), parameter :: most_rate = 1.0e100_wp
 
 
    !> What the command line asks for
@@ -53,6 +58,8 @@ module furiko_cli_motion
       real(wp) :: from = 0.0_wp
       real(wp) :: to = 10.0_wp
       real(wp) :: step = 0.01_wp
+      !> The three as they were typed
+      character(len=:), allocatable :: from_word, to_word, step_word
       character(len=8), allocatable :: columns(:)
       character(len=:), allocatable :: form
    end type request
@@ -70,6 +77,9 @@ contains
       wish%start = ''
       wish%form = 'text'
       wish%columns = known_columns(:3)
+      wish%from_word = '0'
+      wish%to_word = '10'
+      wish%step_word = '0.01'
       do while (.not. arguments%done())
          option = arguments%word()
          call arguments%advance()
@@ -93,7 +103,13 @@ contains
       end do
       if (wish%start == '') call reject('name a start, as --amplitude 1rad; see furiko motion --help')
       if (wish%has_rate .and. wish%start /= '--angle') call reject('--rate goes with --angle')
-      if (wish%from > wish%to) call reject('--from is beyond --to')
+      if (wish%from > wish%to) then
+         call reject('--to ' // wish%to_word // ' is before --from ' // wish%from_word)
+      end if
+      if ((wish%to - wish%from)/wish%step > most_rows) then
+         call reject('--step ' // wish%step_word // ' up to --to ' // wish%to_word // &
+            ' makes more rows than 1e12')
+      end if
       call print_motion(wish)
    end subroutine motion_command
 
@@ -103,18 +119,31 @@ contains
       character(len=*), intent(in) :: word
       type(request), intent(inout) :: wish
       real(wp), parameter :: pi = acos(-1.0_wp)
+      type(double_word) :: beyond
 
       if (option == '--rate') then
          wish%rate = number_of(command // ': ' // option, word, pure_number(:0))
          wish%has_rate = .true.
+         if (abs(wish%rate) > most_rate) then
+            call reject(option // ' ' // word // ' is outside -1e100 <= rate <= 1e100 rad/s')
+         end if
          return
       end if
-      if (wish%start /= '') call reject(option // ': there is a start already, ' // wish%start)
+      if (wish%start /= '') then
+         call reject(option // ' ' // word // ': there is a start already, ' // wish%start)
+      end if
       wish%start = option
       wish%angle = angle_of(command // ': ' // option, word)
-      if (option == '--angle') return
-      if (.not. abs(wish%angle%hi) < pi) then
-         call reject(option // ' ' // word // ' is outside -180 < angle < 180 degrees')
+      if (option == '--angle') then
+         if (abs(wish%angle%hi) > most_degrees*pi/180) then
+            call reject(option // ' ' // word // ' is outside -1e9 <= angle <= 1e9 degrees')
+         end if
+      else
+         beyond = double_word(abs(wish%angle%hi), sign(wish%angle%lo, wish%angle%hi*wish%angle%lo))
+         beyond = beyond - double_word_pi
+         if (.not. beyond%hi < 0.0_wp) then
+            call reject(option // ' ' // word // ' is outside -180 < angle < 180 degrees')
+         end if
       end if
    end subroutine read_start
 
@@ -129,10 +158,13 @@ contains
       select case (option)
       case ('--from')
          wish%from = time
+         wish%from_word = word
       case ('--to')
          wish%to = time
+         wish%to_word = word
       case default
          wish%step = time
+         wish%step_word = word
          if (.not. time > 0.0_wp) call reject(option // ' ' // word // ' is not above 0 s')
       end select
    end subroutine read_time
@@ -218,6 +250,8 @@ contains
             row(i) = time
          case ('angle')
             row(i) = path%angle(time)
+         case ('degrees')
+            row(i) = path%angle(time)*(180/pi)
          case ('harmonic')
             row(i) = path%harmonic_angle(time)
          case ('rate')
@@ -227,7 +261,7 @@ contains
          case ('tension')
             row(i) = path%tension(time)
          case ('turns')
-            row(i) = anint(path%angle(time)/(2*pi))
+            row(i) = anint(path%angle(time)/(2*pi)) + 0.0_wp
          case default
             row(i) = path%phase(time)
          end select

@@ -192,11 +192,13 @@ contains
          case ('--format')
             form = value_of(command, word, arguments)
          case ('--slower')
+            call only_one(command, slower)
             slower = part_of(command, word, value_of(command, word, arguments))
             amplitude = double_word(amplitude_of_excess(slower))
          case ('--off')
             off = part_of(command, word, value_of(command, word, arguments))
          case ('--amplitude')
+            call only_one(command, slower)
             amplitude = swing_of(command, value_of(command, word, arguments))
             slower = period_excess(amplitude%hi)
          case default
@@ -207,6 +209,7 @@ contains
          end select
       end do
       if (slower < 0.0_wp) call refuse(command // ': say what, as --amplitude 20deg or --slower 3%')
+      if (.not. slower > 0.0_wp) call refuse(command // ': --amplitude 0 never drifts; it has to be above 0')
 
       page = begin_sheet(command, form, [character(len=16) :: 'amplitude_deg', 'slower_percent', &
          'swings', 'time_s'], [('g23.16', i=1, 4)])
@@ -217,14 +220,25 @@ contains
    end subroutine drift_command
 
 
-   !> An amplitude in radians, within -180 to 180 degrees
+   !> --amplitude and --slower say the same thing.
+   subroutine only_one(command, slower)
+      character(len=*), intent(in) :: command
+      real(wp), intent(in) :: slower
+
+      if (slower >= 0.0_wp) call refuse(command // ': --amplitude or --slower, not both')
+   end subroutine only_one
+
+
+   !> An amplitude in radians, within 0 to 180 degrees
    function swing_of(command, word) result(amplitude)
       character(len=*), intent(in) :: command
       character(len=*), intent(in) :: word
       type(double_word) :: amplitude
+      type(double_word) :: beyond
 
       amplitude = angle_of(command // ': the amplitude', word)
-      if (amplitude%hi < 0.0_wp .or. .not. amplitude%hi < double_word_pi%hi) then
+      beyond = amplitude - double_word_pi
+      if (amplitude%hi < 0.0_wp .or. .not. beyond%hi < 0.0_wp) then
          call refuse(command // ': the amplitude ' // word // ' is outside 0 <= A < 180 degrees')
       end if
    end function swing_of

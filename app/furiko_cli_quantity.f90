@@ -142,6 +142,8 @@ contains
       character(len=:), allocatable :: text
       integer :: i
 
+      text = ''
+      if (size(units) == 0) return
       text = ' (units:'
       do i = size(units), 1, -1
          text = text // ' ' // trim(units(i)%name)

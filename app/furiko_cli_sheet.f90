@@ -38,9 +38,11 @@ contains
       integer :: i, width
 
       self%form = form
-      self%columns = columns
-      self%styles = styles
+      allocate(self%columns(size(columns)), self%styles(size(columns)))
+      self%columns(:) = columns
+      self%styles(:) = styles
       line = ''
+      width = 0
       do i = 1, size(columns)
          if (form == 'csv') line = line // ',' // trim(columns(i))
          width = width_of(styles(i))

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
 !> What the program says and how it ends: data on standard output, one line on standard error,
-!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line.
+!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line, 3 no gnuplot.
 !>
 !> Output goes through C's library: gfortran's own units lose what a full or closed output refuses
 !> and say nothing, and Fortran 2008's `stop` prints its code.
@@ -10,7 +10,7 @@ module furiko_cli_terminal
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char, c_null_ptr, c_ptr
    implicit none
    private
-   public :: put, finish, refuse, fail, say_why, quit
+   public :: put, finish, refuse, fail, complain, say_why, quit
 
 
    interface
@@ -63,8 +63,8 @@ contains
    subroutine refuse(message)
       character(len=*), intent(in) :: message
 
-      write(error_unit, '(a)') message
-      call c_exit(2_c_int)
+      call complain(message)
+      call quit(2)
    end subroutine refuse
 
 
@@ -85,8 +85,19 @@ contains
    end subroutine say_why
 
 
-   !> End with the code of what could not be written.
-   subroutine quit()
+   !> Write one line to standard error.
+   subroutine complain(message)
+      character(len=*), intent(in) :: message
+
+      write(error_unit, '(a)') message
+   end subroutine complain
+
+
+   !> End with an exit code, that of what could not be written if none is given.
+   subroutine quit(code)
+      integer, intent(in), optional :: code
+
+      if (present(code)) call c_exit(int(code, c_int))
       call c_exit(1_c_int)
    end subroutine quit
 

@@ -10,6 +10,7 @@ program main
    use furiko_cli_eval, only : eval_command
    use furiko_cli_motion, only : motion_command
    use furiko_cli_period, only : amplitude_command, drift_command, period_command
+   use furiko_cli_plot, only : plot_command
    use furiko_cli_rk4, only : rk4_command
    use furiko_cli_table, only : table_command
    use furiko_cli_terminal, only : finish, put, refuse
@@ -26,6 +27,7 @@ program main
       '  converge   series, trapezoidal rule and AGM side by side' // nl // &
       '  digits     K to 33 digits' // nl // &
       '  perimeter  of an ellipse' // nl // &
+      '  plot       figures, as SVG, PNG or PDF' // nl // &
       '  eval       any function of the library on rows of arguments' // nl // &
       '  animate    the pendulum in motion, as a page for the browser' // nl // nl // &
       'furiko COMMAND --help tells more; furiko --version prints the version.'
@@ -62,6 +64,8 @@ program main
       call perimeter_command(arguments)
    case ('eval')
       call eval_command(arguments)
+   case ('plot')
+      call plot_command(arguments)
    case ('animate')
       call animate_command(arguments)
    case ('-h', '--help', 'help')

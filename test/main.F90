@@ -46,6 +46,7 @@ program main
    use test_nome_sp, only : collect_nome_sp => collect_nome
    use test_notes, only : collect_notes
    use test_pendulum_cli, only : collect_pendulum_cli
+   use test_plot, only : collect_plot
    use test_table, only : collect_table
    use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
       testsuite_type, unittest_type
@@ -59,6 +60,7 @@ program main
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &
+      new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
       new_testsuite('animate', collect_animate), &
       new_testsuite('double-word', collect_double_word), &

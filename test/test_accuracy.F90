@@ -63,7 +63,7 @@ module test_accuracy
    character(len=*), parameter :: files(*) = [character(len=24) :: 'complete', 'incomplete', &
       'third_kind', 'third_kind_incomplete', 'carlson', 'period', 'nome', 'theta', &
       'jacobi', 'jacobi_quotients', 'jacobi_inverse', 'jacobi_inverse_quotients', 'jacobi_zeta', &
-      'heuman_lambda', 'parameter']
+      'heuman_lambda', 'parameter', 'excess', 'amplitude']
 
 
    !> A bound in ulp, per kind, for all forms of a family; in one regime, or in all. Arrays may have
@@ -93,6 +93,9 @@ module test_accuracy
       promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
       promise('carlson', '', [2.0, 2.0, 2.0], [3.0, 3.0, 2.0]), &
       promise('period', '', [2.0, 2.0, 4.0]), &
+      promise('period_excess', '', [6.0, 6.0, 4.0]), &
+      promise('amplitude_of_excess', '', [4.0, 4.0, 4.0]), &
+      promise('amplitude_of_period', '', [5.0, 5.0, 4.0]), &
       promise('nome', '', [1.0, 1.0, 1.0]), &
       promise('theta', '', [1.0, 1.0, 1.0]), &
       promise('jacobi', '', [5.0, 5.0, 5.0]), &
@@ -119,6 +122,8 @@ contains
          new_unittest('third-kind-incomplete', test_third_kind_incomplete), &
          new_unittest('carlson', test_carlson), &
          new_unittest('period', test_period), &
+         new_unittest('period-excess', test_excess), &
+         new_unittest('amplitude', test_amplitude), &
          new_unittest('nome', test_nome), &
          new_unittest('theta', test_theta), &
          new_unittest('jacobi', test_jacobi), &
@@ -171,6 +176,20 @@ contains
 
       call check_file(error, 'period')
    end subroutine test_period
+
+
+   subroutine test_excess(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'excess')
+   end subroutine test_excess
+
+
+   subroutine test_amplitude(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'amplitude')
+   end subroutine test_amplitude
 
 
    subroutine test_nome(error)

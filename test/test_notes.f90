@@ -6,11 +6,13 @@
 !> Note 1: Katsurada, The simple pendulum, 2007-2015. Note 2: Joh, Elliptic integrals, 2005.
 module test_notes
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use fgsl, only : fgsl_sf_elljac_e, fgsl_success
    use furiko, only : agm_steps_k, amplitude_of_excess, amplitude_three_terms, ellipe_m, &
       ellipe_series_m, ellipk_k, ellipk_m, ellipk_series_m, ellipk_trapezoid_k, ellipse_perimeter, &
-      ellipse_perimeter_series, period_excess, period_ratio, period_ratio_series
+      ellipse_perimeter_series, pendulum_rk4, period_excess, period_ratio, period_ratio_series
    use furiko_double_word, only : double_word, operator(-)
    use furiko_period_degrees, only : period_ratio_degrees
+   use test_program, only : run_program
    use testdrive, only : check, error_type, new_unittest, unittest_type
    implicit none
    private
@@ -30,6 +32,7 @@ contains
          new_unittest('note-1-section-4-ratios', test_ratios), &
          new_unittest('note-1-section-4-series', test_two_terms), &
          new_unittest('note-1-section-4-table', test_table), &
+         new_unittest('note-1-appendix-a-furiko.c', test_furiko_c), &
          new_unittest('note-1-appendix-a-kanzen', test_kanzen), &
          new_unittest('note-1-appendix-b', test_appendix_b), &
          new_unittest('note-1-appendix-c-k', test_half), &
@@ -99,6 +102,50 @@ contains
    end subroutine test_table
 
 
+   !> Note 1, section 3 and appendix A.1: what furiko.c prints at 0.1, 0.3 and 1 rad, byte for byte, by
+   !> GSL's elliptic functions as there
+   subroutine test_furiko_c(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), parameter :: amplitudes(3) = [0.1_wp, 0.3_wp, 1.0_wp]
+      character(len=:), allocatable :: amplitude, errors, output
+      integer :: code, i
+
+      do i = 1, size(amplitudes)
+         amplitude = as_text(amplitudes(i), '(f3.1)') // 'rad'
+         call run_program('motion --amplitude ' // amplitude // ' --gravity 9.8', output, errors, code)
+         call check(error, code, 0, errors)
+         if (allocated(error)) return
+         call check(error, output, furiko_c(amplitudes(i)), amplitude)
+         if (allocated(error)) return
+      end do
+   end subroutine test_furiko_c
+
+
+   !> The note's furiko.c, line by line
+   function furiko_c(theta0) result(lines)
+      real(wp), intent(in) :: theta0
+      character(len=:), allocatable :: lines
+      character(len=20) :: columns(3)
+      real(wp) :: g, l, omega, k, t, dt, sn, cn, dn
+      integer :: i
+
+      g = 9.8_wp
+      l = 1.0_wp
+      omega = sqrt(g/l)
+      k = sin(theta0/2)
+      dt = 0.01_wp
+      lines = ''
+      do i = 0, 1000
+         t = i*dt
+         if (fgsl_sf_elljac_e(omega*t, k*k, sn, cn, dn) /= fgsl_success) return
+         write(columns, '(f20.6)') t, 2*asin(k*sn), 2*k*sin(omega*t)
+         columns = adjustl(columns)
+         lines = lines // trim(columns(1)) // ' ' // trim(columns(2)) // ' ' // trim(columns(3)) // &
+            new_line('a')
+      end do
+   end function furiko_c
+
+
    !> Note 1, appendix A.2: the means of kanzen() meet below 2e-16 within its 11 steps, and its K and E
    !> are right
    subroutine test_kanzen(error)
@@ -114,11 +161,27 @@ contains
    end subroutine test_kanzen
 
 
-   !> Note 1, appendix B: at 1 rad the period is 6.63 % longer
+   !> Note 1, appendix B: at 1 rad the period is 6.63 % longer, by Runge-Kutta too: four times the time
+   !> from rest to the bottom, where Newton's rule makes the last steps
    subroutine test_appendix_b(error)
       type(error_type), allocatable, intent(out) :: error
 
+      real(wp), parameter :: h = 0.015625_wp
+      real(wp) :: angle, rate, step, time
+      integer :: i
+
       call check(error, as_text(100*period_excess(1.0_wp), '(f4.2)'), '6.63')
+      if (allocated(error)) return
+      angle = 1
+      rate = 0
+      time = 0
+      do i = 1, 200
+         step = h
+         if (angle < h*abs(rate)) step = -angle/rate
+         call pendulum_rk4(1.0_wp, step, 1, angle, rate)
+         time = time + step
+      end do
+      call check(error, as_text(time/(90*degree), '(f9.7)'), '1.0663342')
    end subroutine test_appendix_b
 
 

@@ -4,7 +4,7 @@
 module test_program
    implicit none
    private
-   public :: run_program, run_shell, line_count, test_folder
+   public :: run_program, run_shell, line_count, test_folder, contents
 
 
 contains

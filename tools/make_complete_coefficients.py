@@ -4,10 +4,11 @@
 
 usage: make_complete_coefficients.py [folder]       (needs mpmath; the output depends on this file only)
 
-With x = mc, A = ln 4 + |ln x|/2, and 2^4 segments in each octave of x:
-  near  2^-6 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
+With x = mc, A = ln 4 + |ln x|/2, and 2^5 segments in each octave of x:
+  near  2^-10 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
         The centre is chosen close to the middle, such that c0 and c1 happen to be machine numbers
-        to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45).
+        to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45); 1 - centre is one, too.
+        A bound of the error, for every x and not for samples, is asserted for every row.
   far   K = A + x (A S - T),  D = A - 1 + x (A S - T),
         E = 1 + x (A/2 - 1/4 + x (A S - T)),  B = 1 + x (3/4 - A/2 + x (A S - T)), x < 2^-6:
         S and T polynomials in x (DLMF 19.12.1, 19.12.2); above 2^6 through 1/x.
@@ -21,8 +22,11 @@ import sys
 import mpmath as mp
 
 mp.mp.prec = 400
-OCTAVES, SEGMENTS = 6, 16          # octaves on either side of 1, segments in each
-TRIALS = 512                       # centres tried for each row
+BELOW, ABOVE = 10, 6               # octaves below and above 1
+SEGMENTS = 32                      # in each
+TRIALS = 1024                      # centres tried for each row, at most
+GOOD = mp.mpf(2)**-8               # ulps of error of c0 + h c1 that end the search
+ULPS = 0.035                       # of error allowed to a row, beyond the last rounding
 
 
 class Kind:
@@ -38,7 +42,7 @@ class Kind:
         return mp.ldexp(mp.nint(mp.ldexp(v, -e)), e)
 
 
-KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 9, 6, 6, 6, 42)]
+KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 8, 6, 6, 6, 42)]
 
 
 def ke(x):
@@ -96,16 +100,40 @@ def shifted(c, d):
 def row(kind, lo, hi, c):
     """centre and coefficients of one segment"""
     mid, h = (lo + hi)/2, (hi - lo)/2
-    step = mp.ldexp(2**max(6, kind.digits - 30) + 1, mp.frexp(mid)[1] - kind.digits)
+    exponent = mp.frexp(mid)[1]
+    step = mp.ldexp(int(mp.ldexp(1, max(6, kind.digits - 30) + min(exponent, 0))) | 1,
+                    max(exponent, 0) - kind.digits)
+    good = mp.ldexp(GOOD, mp.frexp(c[0])[1] - kind.digits)
     best, where = mp.inf, 0
-    for i in range(TRIALS):
-        d = (i - TRIALS//2)*step
+    for i in range(min(TRIALS, int(h/step))):
+        d = ((i + 1)//2 if i % 2 else -i//2)*step  # from the middle outwards
         c0, c1 = c[0] + d*(c[1] + d*(c[2] + d*c[3])), c[1] + d*(2*c[2] + 3*d*c[3])
         bad = abs(c0 - kind.round(c0)) + h*abs(c1 - kind.round(c1))
         if bad < best:
             best, where = bad, d
+        if best < good:
+            break
     c = shifted(c, where)
     return mid + where, c, [mp.ldexp(c[0], -kind.digits - 13)/h**j for j in range(len(c))]
+
+
+def error_bound(kind, row, centre, c, lo, hi, next_c):
+    """ulps of error of c0 + t (c1 + ...), as the numbers in `row`, before the last rounding
+
+    Truncation: f' of K, E, B, D is, but for its sign, completely monotone in x, so the largest
+    f^(n+1)/(n+1)! is that at lo, below `next_c`, the divided difference of points below lo;
+    Chebyshev nodes make it h^(n+1)/2^n in t. Rounding of the coefficients. Rounding of the sum:
+    c_j t^j meets at most 3 j + 1 operations, that of t included.
+    """
+    h, n = (hi - lo)/2, kind.near
+    reach = h + abs(centre - (lo + hi)/2)
+    truncation = abs(next_c)*h**(n + 1)/2**n
+    stored = sum(abs(kind.round(mp.mpf(s[:-3])) - a)*reach**j
+                 for j, (s, a) in enumerate(zip(row[1:], c)))
+    summed = sum((3*j + 1)*abs(c[j])*reach**j for j in range(1, n + 1))
+    least = min(mp.polyval(c[::-1], x - centre) for x in (lo, hi))
+    return (truncation + stored + mp.ldexp(summed, -kind.digits)) \
+        / mp.ldexp(1, mp.frexp(least)[1] - kind.digits)
 
 
 def literal(kind, v, enough=None):
@@ -157,26 +185,30 @@ def split(kind, v):
 
 
 def write(kind, folder):
-    out = ['! Written by tools/generate_complete.py: do not edit.\n',
-           f'   integer, parameter :: octaves = {OCTAVES}\n',
+    out = ['! Written by tools/make_complete_coefficients.py: do not edit.\n',
+           f'   integer, parameter :: octaves_below = {BELOW}, octaves_above = {ABOVE}\n',
            f'   integer, parameter :: segment_bits = {SEGMENTS.bit_length() - 1}\n',
            f'   integer, parameter :: near_degree = {kind.near}\n']
-    near = Interpolation(kind.near)
+    near, beyond = Interpolation(kind.near), Interpolation(kind.near + 1)
     rows = {f: [] for f in 'kebd'}
-    for j in range(-OCTAVES, OCTAVES):
+    for j in range(-BELOW, ABOVE):
         for i in range(SEGMENTS):
             lo, hi = [mp.ldexp(1 + mp.mpf(s)/SEGMENTS, j) for s in (i, i + 1)]
+            below = lo - (hi - lo)/32
             values = [integrals(x) for x in near.nodes(lo, hi)]
+            values_below = [integrals(x) for x in beyond.nodes(below, lo)]
             for f in 'kebd':
+                next_c = beyond.coefficients(below, lo, [v[f] for v in values_below])[-1]
                 c = near.coefficients(lo, hi, [v[f] for v in values])
                 centre, c, enough = row(kind, lo, hi, c)
                 rows[f].append([literal(kind, centre)]
                                + [literal(kind, a, None if n < 2 else e)
                                   for n, (a, e) in enumerate(zip(c, enough))])
+                assert error_bound(kind, rows[f][-1], centre, c, lo, hi, next_c) < ULPS
     for f in 'kebd':
-        out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 4 if kind.digits > 24 else 2))
+        out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 8 if kind.digits > 24 else 4))
     far = Interpolation(kind.far)
-    lo, hi = mp.mpf(0), mp.ldexp(1, -OCTAVES)
+    lo, hi = mp.mpf(0), mp.ldexp(1, -ABOVE)
     values = [smooth(x) for x in far.nodes(lo, hi)]
     for f in 'kebd':
         for which, name in enumerate(('s', 't')):

@@ -3,7 +3,8 @@
 !> The exact motion of a pendulum, in each kind of real; the text is in furiko_motion.inc.
 module furiko_motion_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
+      ieee_quiet_nan, ieee_value
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_fold_sp, only : fold
    use furiko_half_pi_sp, only : half_pi
@@ -17,7 +18,8 @@ end module furiko_motion_sp
 
 module furiko_motion_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
+      ieee_quiet_nan, ieee_value
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_fold_dp, only : fold
    use furiko_half_pi_dp, only : half_pi
@@ -32,7 +34,8 @@ end module furiko_motion_dp
 #ifdef __GFC_REAL_16__
 module furiko_motion_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
+      ieee_quiet_nan, ieee_value
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_fold_qp, only : fold
    use furiko_half_pi_qp, only : half_pi

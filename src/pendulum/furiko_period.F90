@@ -3,9 +3,12 @@
 !> The period of the pendulum, in each kind of real; the text is in furiko_period.inc.
 module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
-   use furiko_complete_sp, only : ellipk_alpha
-   use furiko_nome_sp, only : nome_k
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_duplication_sp, only : lanes
+   use furiko_fold_sp, only : fold
+   use furiko_nome_sp, only : nome_ratio
+   use furiko_word_arithmetic_sp, only : words, value, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_period.inc'
@@ -14,9 +17,12 @@ end module furiko_period_sp
 
 module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
-   use furiko_complete_dp, only : ellipk_alpha
-   use furiko_nome_dp, only : nome_k
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_duplication_dp, only : lanes
+   use furiko_fold_dp, only : fold
+   use furiko_nome_dp, only : nome_ratio
+   use furiko_word_arithmetic_dp, only : words, value, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_period.inc'
@@ -26,9 +32,12 @@ end module furiko_period_dp
 #ifdef __GFC_REAL_16__
 module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
-   use furiko_complete_qp, only : ellipk_alpha
-   use furiko_nome_qp, only : nome_k
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_duplication_qp, only : lanes
+   use furiko_fold_qp, only : fold
+   use furiko_nome_qp, only : nome_ratio
+   use furiko_word_arithmetic_qp, only : words, value, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_period.inc'

@@ -1,0 +1,471 @@
+! SPDX-License-Identifier: MIT
+
+!> `furiko plot`: pictures that are whole, of the size asked for, and that carry the data; or no
+!> picture and one line. Where gnuplot is missing the tests that draw are skipped.
+module test_plot
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use test_program, only : contents, line_count, run_program, run_shell, test_folder
+   use testdrive, only : check, error_type, new_unittest, skip_test, test_failed, unittest_type
+   implicit none
+   private
+   public :: collect_plot
+
+
+   character(len=*), parameter :: figures(*) = [character(len=8) :: 'phase', 'motion', 'period', &
+      'drift', 'converge', 'energy', 'accuracy']
+   character(len=*), parameter :: nl = new_line('a')
+
+
+   !> The points of one curve, from the data or from the picture
+   type :: polyline
+      real(wp), allocatable :: x(:)
+      real(wp), allocatable :: y(:)
+   end type polyline
+
+
+contains
+
+
+   subroutine collect_plot(testsuite)
+      type(unittest_type), allocatable, intent(out) :: testsuite(:)
+
+      testsuite = [ &
+         new_unittest('list-and-help', test_list), &
+         new_unittest('refusals', test_refusals), &
+         new_unittest('places-that-cannot-be-written', test_places), &
+         new_unittest('without-gnuplot', test_without_gnuplot), &
+         new_unittest('gnuplot-that-fails', test_failing_gnuplot), &
+         new_unittest('formats-and-sizes', test_formats), &
+         new_unittest('strange-names-and-titles', test_strange_text), &
+         new_unittest('amplitudes', test_amplitudes), &
+         new_unittest('data', test_data), &
+         new_unittest('svg-carries-the-data', test_svg)]
+   end subroutine collect_plot
+
+
+   !> Every figure is in the list
+   subroutine test_list(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      call run_program('plot --list', output, errors, code)
+      call check(error, code == 0 .and. line_count(output) == size(figures) .and. errors == '')
+      if (allocated(error)) return
+      do i = 1, size(figures)
+         call check(error, index(nl // output, nl // trim(figures(i)) // ' ') > 0, figures(i))
+         if (allocated(error)) return
+      end do
+      call run_program('plot --help', output, errors, code)
+      call check(error, code == 0 .and. index(output, 'furiko plot FIGURE -o FILE') == 1)
+   end subroutine test_list
+
+
+   !> A bad command line: code 2, one line, nothing written
+   subroutine test_refusals(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: commands(*) = [character(len=44) :: '', '-o x.svg', &
+         'nosuch -o x.svg', 'phase', 'phase -o', 'phase -o ""', 'phase -o x', 'phase -o x.gif', &
+         'phase -o x.SVG', 'phase -o .svg', 'phase -o svg', 'phase phase -o x.svg', &
+         'phase -o x.svg --nosuch', 'phase -o x.svg --size 800', 'phase -o x.svg --size 800x', &
+         'phase -o x.svg --size x500', 'phase -o x.svg --size 8x5', 'phase -o x.svg --size 9000x500', &
+         'phase -o x.svg --size 800x500x2', 'phase -o x.svg --size 99999999999x500', &
+         'phase -o x.svg --size -800x500', 'phase -o x.svg --amplitude 0', &
+         'phase -o x.svg --amplitude 180', 'phase -o x.svg --amplitude 3.15rad', &
+         'phase -o x.svg --amplitude -1', 'phase -o x.svg --amplitude 1,', &
+         'phase -o x.svg --amplitude ,1', 'phase -o x.svg --amplitude nan', &
+         'phase -o x.svg --amplitude 1grad', 'phase -o x.svg --amplitude=', &
+         'motion -o x.svg --amplitude 1,2,3,4,5,6', 'drift -o x.svg --amplitude 1,2', &
+         'energy -o x.svg --amplitude 1,2', 'period -o x.svg --amplitude 1', &
+         'accuracy -o x.svg --amplitude 1', 'phase -o x.svg --title "$(printf "a\nb")"', &
+         'phase -o "$(printf "a\nb.svg")"', 'phase -o x.svg --title "$(printf "\033")"', &
+         'phase -o x.svg --title "$(printf "a\377b")"', 'phase -o x.svg --title "$(printf "\303")"', &
+         'converge -o x.svg --amplitude 1,2,3']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      do i = 1, size(commands)
+         call run_inside('furiko plot ' // trim(commands(i)), output, errors, code)
+         call check(error, code == 2 .and. output == '', 'code and output of: ' // commands(i))
+         if (allocated(error)) return
+         call check(error, line_count(errors) == 1 .and. index(errors, 'furiko plot: ') == 1, &
+            'message of: ' // commands(i))
+         if (allocated(error)) return
+      end do
+   end subroutine test_refusals
+
+
+   !> Code 1, one line that names the file, nothing left
+   subroutine test_places(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_inside('furiko plot phase -o none/x.svg', output, errors, code)
+      call check(error, code == 1 .and. output == '' .and. line_count(errors) == 1 .and. &
+         index(errors, 'furiko: cannot write none/x.svg: ') == 1, errors)
+      if (allocated(error)) return
+      call run_inside('mkdir x.svg; furiko plot phase -o x.svg', output, errors, code)
+      call check(error, code == 1 .and. output == 'x.svg' // nl .and. line_count(errors) == 1 .and. &
+         index(errors, 'furiko: cannot write x.svg: it is a folder') == 1, errors)
+   end subroutine test_places
+
+
+   !> Code 3, one line that says how to get it, the data and a script that draws the picture
+   subroutine test_without_gnuplot(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_inside('(PATH=; furiko plot period -o x.png)', output, errors, code)
+      call check(error, code == 3 .and. output == 'x.csv' // nl // 'x.gp' // nl .and. &
+         line_count(errors) == 1 .and. index(errors, 'apt-get install gnuplot-nox') > 0, &
+         'without gnuplot: ' // output // errors)
+      if (allocated(error)) return
+      if (.not. have_gnuplot()) return
+      call run_shell('cd ' // work() // ' && gnuplot x.gp && ls', output, errors, code)
+      call check(error, code == 0 .and. output == 'x.csv' // nl // 'x.gp' // nl // 'x.png' // nl, &
+         'the script: ' // output // errors)
+      if (allocated(error)) return
+      call check(error, size_of('png', contents(work() // '/x.png')), '800x500')
+   end subroutine test_without_gnuplot
+
+
+   !> Code 1, one line with gnuplot's own, the old picture as it was, nothing else; also where
+   !> gnuplot says that all is well and has drawn nothing, or a half
+   subroutine test_failing_gnuplot(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: scripts(*) = [character(len=32) :: 'echo oops >&2; exit 1', &
+         'exit 0', 'echo "<svg " >x.svg', 'echo half >x.svg; kill -9 $$']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      do i = 1, size(scripts)
+         call run_inside('mkdir bin; echo old >x.svg; printf ''#!/bin/sh\n%s\n'' ''' // &
+            trim(scripts(i)) // ''' >bin/gnuplot; chmod +x bin/gnuplot; ' // &
+            '(PATH=$PWD/bin:$PATH; furiko plot phase -o x.svg)', output, errors, code)
+         call check(error, code == 1 .and. output == 'bin' // nl // 'x.svg' // nl .and. &
+            contents(work() // '/x.svg') == 'old' // nl .and. line_count(errors) == 1 .and. &
+            index(errors, 'furiko plot: gnuplot drew no whole x.svg') == 1, &
+            trim(scripts(i)) // ': ' // output // errors)
+         if (allocated(error)) return
+         if (i == 1) call check(error, index(errors, ': oops') > 0, errors)
+         if (allocated(error)) return
+      end do
+   end subroutine test_failing_gnuplot
+
+
+   !> Every figure in every form: there, alone, whole, of the size asked for
+   subroutine test_formats(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: forms(*) = ['svg', 'png', 'pdf']
+      character(len=:), allocatable :: errors, file, name, output
+      integer :: code, i, j
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(figures)
+         do j = 1, size(forms)
+            file = 'x.' // forms(j)
+            name = trim(figures(i)) // ' as ' // forms(j)
+            call run_inside('furiko plot ' // trim(figures(i)) // ' --size 640x480 -o ' // file, &
+               output, errors, code)
+            call check(error, code == 0 .and. errors == '' .and. output == file // nl, &
+               name // ': ' // output // errors)
+            if (allocated(error)) return
+            call check(error, len(contents(work() // '/' // file)) > 5000, name // ' is small')
+            if (allocated(error)) return
+            call check(error, size_of(forms(j), contents(work() // '/' // file)), '640x480', name)
+            if (allocated(error)) return
+         end do
+      end do
+   end subroutine test_formats
+
+
+   !> Names and titles are text to the shell and to gnuplot
+   subroutine test_strange_text(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('export GNUTERM=x11; furiko plot period --title "it''s \`touch y\` \$(touch y) <b>' // &
+         ' & {/Bold x} %d θ_0" -o "it''s \$(touch y) \`touch y\` ; <b>.svg" --data && ' // &
+         'mv *.svg x.svg', output, errors, code)
+      call check(error, code == 0 .and. output == "it's $(touch y) `touch y` ; <b>.csv" // nl // &
+         "it's $(touch y) `touch y` ; <b>.gp" // nl // 'x.svg' // nl, output // errors)
+      if (allocated(error)) return
+      call check(error, index(contents(work() // '/x.svg'), &
+         ">it's `touch y` $(touch y) &lt;b> &amp; {/Bold x} %d θ_0<") > 0, 'the title')
+   end subroutine test_strange_text
+
+
+   !> What was typed is what is drawn
+   subroutine test_amplitudes(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output, picture
+      integer :: code
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('furiko plot motion --data --amplitude 0.50rad,60deg -o x.svg && ' // &
+         'cut -d, -f1 x.csv | uniq | grep .; rm x.csv x.gp', output, errors, code)
+      call check(error, output, 'curve' // nl // 'exact 0.50 rad' // nl // 'harmonic 0.50 rad' // nl &
+         // 'exact 60°' // nl // 'harmonic 60°' // nl // 'x.svg' // nl)
+      if (allocated(error)) return
+      picture = contents(work() // '/x.svg')
+      call check(error, index(picture, ' = 60°,') > 0 .and. index(picture, ' = 1.0732 ') > 0, 'labels')
+   end subroutine test_amplitudes
+
+
+   !> Numbers that are known: the note's period at 90 degrees; a tenth swing that ends after 10.3
+   !> small ones; half an ulp up to the top
+   subroutine test_data(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('furiko plot period --data -o x.svg; grep "^exact,9.0*E+001" x.csv; rm x.*', &
+         output, errors, code)
+      call check(error, output, 'exact,9.000000000E+001,1.180340599E+000' // nl)
+      if (allocated(error)) return
+      call run_inside('furiko plot drift --data -o x.svg; awk -F, ''/^exact/ && $2 > 9.8 && $3 > most ' // &
+         '{most = $3; at = $2} END {print ((at - 10.3)^2 < 1e-3), (most > 39.1)}'' x.csv; rm x.*', &
+         output, errors, code)
+      call check(error, output, '1 1' // nl)
+      if (allocated(error)) return
+      call run_inside('furiko plot accuracy --data -o x.svg; awk -F, ' // &
+         '''/^K by mc/ {n++; if ($3 > 0.7) bad++} END {print n, bad + 0}'' x.csv; rm x.*', &
+         output, errors, code)
+      call check(error, output, '104 0' // nl)
+   end subroutine test_data
+
+
+   !> Every curve of every figure: one scale and one shift take its points in the data to those of
+   !> its path in the picture, to the picture's last digit
+   subroutine test_svg(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(figures)
+         call run_inside('furiko plot ' // trim(figures(i)) // ' --data -o x.svg', output, errors, code)
+         call check(error, code == 0, errors)
+         if (allocated(error)) return
+         call compare(error, trim(figures(i)))
+         if (allocated(error)) return
+      end do
+   end subroutine test_svg
+
+
+   !> Compare x.svg with x.csv, following the order in which x.gp draws.
+   subroutine compare(error, name)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: name
+      type(polyline), allocatable :: curves(:)
+      character(len=:), allocatable :: picture, script, group
+      logical, allocatable :: seen(:)
+      logical :: logarithmic
+      integer :: at, block
+
+      script = contents(work() // '/x.gp')
+      picture = contents(work() // '/x.svg')
+      logarithmic = index(script, 'set logscale xy') > 0
+      curves = data_of(contents(work() // '/x.csv'))
+      allocate(seen(size(curves)))
+      seen = .false.
+      do
+         at = index(script, ' index ')
+         if (at == 0) exit
+         script = script(at + len(' index '):)
+         read(script(:scan(script, ' ')), *) block
+         at = index(picture, '<g id="gnuplot_plot_')
+         call check(error, at > 0, name // ': a curve is not drawn')
+         if (allocated(error)) return
+         picture = picture(at + 1:)
+         group = picture(:index(picture // '<g id="gnuplot_plot_', '<g id="gnuplot_plot_') - 1)
+         ! A copy of the phase portrait's cell, shifted and cut off
+         if (index(script, ' using 2:3') /= index(script, ' using')) cycle
+         seen(block + 1) = .true.
+         call compare_curve(error, name, curves(block + 1), path_of(group), logarithmic)
+         if (allocated(error)) return
+      end do
+      call check(error, all(seen), name // ': a curve of the data is not drawn')
+   end subroutine compare
+
+
+   subroutine compare_curve(error, name, numbers, path, logarithmic)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: name
+      type(polyline), intent(in) :: numbers
+      type(polyline), intent(in) :: path
+      logical, intent(in) :: logarithmic
+      !> Of a pixel: both ends of the scale are rounded to 0.01, and so is every point
+      real(wp), parameter :: tolerance = 0.03_wp
+      real(wp), allocatable :: x(:), y(:)
+      integer :: n
+
+      ! Where the axes cut a curve off, its last point is not of the data
+      n = size(path%x)
+      if (n < size(numbers%x)) n = n - 1
+      call check(error, n > 1 .and. n <= size(numbers%x), name // ': points')
+      if (allocated(error)) return
+      x = numbers%x(:n)
+      y = numbers%y(:n)
+      if (logarithmic) then
+         x = log10(x)
+         y = log10(y)
+      end if
+      call check(error, residual(x, path%x(:n)) < tolerance .and. residual(y, path%y(:n)) < tolerance, &
+         name // ': the path leaves the data')
+      if (allocated(error)) return
+      call check(error, maxval(path%x) - minval(path%x) > 1.0_wp, name // ': a curve is a point')
+   end subroutine compare_curve
+
+
+   !> How far pixels are from scale*numbers + shift, these taken from the ends of the range
+   pure function residual(numbers, pixels)
+      real(wp), intent(in) :: numbers(:)
+      real(wp), intent(in) :: pixels(:)
+      real(wp) :: residual
+      real(wp) :: scale
+      integer :: high, low
+
+      low = minloc(numbers, dim=1)
+      high = maxloc(numbers, dim=1)
+      scale = 0.0_wp
+      if (numbers(high) > numbers(low)) scale = (pixels(high) - pixels(low))/(numbers(high) - numbers(low))
+      residual = maxval(abs(pixels - pixels(low) - scale*(numbers - numbers(low))))
+   end function residual
+
+
+   !> The curves of a CSV file: runs of rows, blank lines between them
+   function data_of(csv) result(curves)
+      character(len=*), intent(in) :: csv
+      type(polyline), allocatable :: curves(:)
+      real(wp) :: x, y
+      integer :: at, comma, next
+
+      allocate(curves(1))
+      allocate(curves(1)%x(0), curves(1)%y(0))
+      at = index(csv, nl) + 1
+      do while (at <= len(csv))
+         next = at + index(csv(at:), nl)
+         if (next == at + 1) then
+            if (size(curves(size(curves))%x) > 0) curves = [curves, polyline([real(wp) ::], [real(wp) ::])]
+         else
+            comma = at + index(csv(at:next - 2), ',')
+            read(csv(comma:next - 2), *) x, y
+            associate (last => curves(size(curves)))
+               last%x = [last%x, x]
+               last%y = [last%y, y]
+            end associate
+         end if
+         at = next
+      end do
+   end function data_of
+
+
+   !> The longest line in the paths of a piece of SVG: the others are samples in a legend
+   function path_of(svg) result(longest)
+      character(len=*), intent(in) :: svg
+      type(polyline) :: longest
+      character(len=:), allocatable :: rest
+      real(wp), allocatable :: numbers(:)
+      integer :: at, i, points
+
+      allocate(longest%x(0), longest%y(0))
+      rest = svg
+      do i = 1, len(rest)
+         if (rest(i:i) == 'L') rest(i:i) = ' '
+      end do
+      do
+         at = scan(rest, 'M')
+         if (at == 0) exit
+         rest = rest(at + 1:)
+         at = verify(rest // 'M', '0123456789.,- ')
+         points = count([(rest(i:i) == ',', i=1, at - 1)])
+         if (points <= size(longest%x)) cycle
+         allocate(numbers(2*points))
+         read(rest(:at - 1), *) numbers
+         longest%x = numbers(1::2)
+         longest%y = numbers(2::2)
+         deallocate(numbers)
+      end do
+   end function path_of
+
+
+   !> Width and height in pixels as the file tells them, as '800x500'
+   function size_of(form, picture) result(extent)
+      character(len=*), intent(in) :: form
+      character(len=*), intent(in) :: picture
+      character(len=:), allocatable :: extent
+      character(len=24) :: text
+      integer :: at, height, width
+
+      select case (form)
+      case ('svg')
+         at = index(picture, 'viewBox="0 0 ') + len('viewBox="0 0 ')
+         read(picture(at:at + index(picture(at:), '"') - 2), *) width, height
+      case ('png')
+         width = big_endian(picture(17:20))
+         height = big_endian(picture(21:24))
+      case default
+         at = index(picture, '/MediaBox [ 0 0 ') + len('/MediaBox [ 0 0 ')
+         read(picture(at:at + index(picture(at:), ']') - 2), *) width, height
+         width = width*4/3
+         height = height*4/3
+      end select
+      write(text, '(i0, a, i0)') width, 'x', height
+      extent = trim(text)
+   end function size_of
+
+
+   pure function big_endian(bytes) result(number)
+      character(len=4), intent(in) :: bytes
+      integer :: number
+      integer :: i
+
+      number = 0
+      do i = 1, 4
+         number = 256*number + iachar(bytes(i:i))
+      end do
+   end function big_endian
+
+
+   function have_gnuplot()
+      logical :: have_gnuplot
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_shell('command -v gnuplot', output, errors, code)
+      have_gnuplot = code == 0
+   end function have_gnuplot
+
+
+   !> Run a shell command in a new folder; its output ends with what lies there then.
+   subroutine run_inside(command, output, errors, code)
+      character(len=*), intent(in) :: command
+      character(len=:), allocatable, intent(out) :: output
+      character(len=:), allocatable, intent(out) :: errors
+      integer, intent(out) :: code
+
+      call run_shell('rm -rf ' // work() // '; mkdir ' // work() // '; program=$(realpath ' // &
+         test_folder() // '/../app/furiko); furiko() { "$program" "$@"; }; cd ' // work() // '; ' // &
+         command // '; code=$?; ls -A; (exit $code)', output, errors, code)
+   end subroutine run_inside
+
+
+   !> A folder for pictures beside the test program
+   function work()
+      character(len=:), allocatable :: work
+
+      work = test_folder() // '/pictures'
+   end function work
+
+end module test_plot
