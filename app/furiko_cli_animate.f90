@@ -3,12 +3,12 @@
 !> `furiko animate`: the pendulum in motion, as one page for any browser.
 module furiko_cli_animate
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko, only : furiko_version
+   use furiko, only : furiko_version, nome_m, nome_mc
    use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_decimal, only : decimal, to_double_word
    use furiko_cli_output, only : open_output, output
    use furiko_cli_terminal, only : finish, put, refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(*), operator(/)
+   use furiko_double_word, only : double_word, double_word_pi, sin, operator(*), operator(/)
    use furiko_period_degrees, only : period_ratio_degrees
    implicit none
    private
@@ -85,19 +85,19 @@ contains
    end function row
 
 
-   !> The nome $$ q = \exp(-\pi K'/K) $$ of the modulus k = sin(amplitude/2). K' is the K of the
-   !> amplitude that is left to 180 degrees.
+   !> The library's nome of k = sin(amplitude/2), from m or 1 - m, whichever is the smaller
    pure function nome(tenths) result(q)
       integer, intent(in) :: tenths
       real(wp) :: q
-      type(double_word) :: exponent
+      type(double_word) :: sine
 
-      q = 0.0_wp
-      if (tenths == 0) return
-      exponent = double_word_pi*period_ratio_degrees(degrees(1800 - tenths)) &
-         /period_ratio_degrees(degrees(tenths))
-      q = exp(-exponent%hi)
-      q = q - q*exponent%lo
+      sine = sin(degrees(min(tenths, 1800 - tenths))*double_word_pi/double_word(360.0_wp))
+      sine = sine*sine
+      if (tenths <= 900) then
+         q = nome_m(sine%hi)
+      else
+         q = nome_mc(sine%hi)
+      end if
    end function nome
 
 

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: MIT
 
-!> Elliptic integrals and the exact pendulum: what a program `use`s.
+!> Elliptic integrals, Jacobi elliptic functions and the exact pendulum: what a program `use`s.
 !>
 !> The argument's form is in the name, always: `_k` takes the modulus k, `_m` the parameter
 !> m = k^2, `_mc` the complementary parameter mc = 1 - m, `_alpha` the modular angle. n and phi stand
@@ -12,7 +12,13 @@
 !> - Incomplete integrals F, E, D: `ellipf_m(phi, m)`; see [[ellipf_k]], [[ellipeinc_k]], [[ellipdinc_k]].
 !> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]].
 !> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
-!> - The pendulum's period: `period_ratio(theta0)` times 2 pi sqrt(l/g); see [[period_ratio]].
+!> - Jacobi elliptic functions: `call jacobi_m(u, m, sn, cn, dn)`, `jacobi_sn_k(u, k)` and its eleven
+!>   sisters, the amplitude `jacobi_am_m`, the inverses `jacobi_arcsn_m(x, m)` ...; see [[jacobi_k]].
+!> - One modulus, many u: `p = modulus_from_k(k)`, `call p%jacobi(u, sn, cn, dn)`; see [[modulus]].
+!> - Nome, theta functions, zeta and lambda: `nome_m(m)`, `theta1(z, q)`, `jacobi_zeta_m(phi, m)`; see
+!>   [[nome_m]], [[theta1]], [[jacobi_zeta_m]].
+!> - The pendulum's exact motion: `path = body%released(1.0d0)`, `path%angle(t)`; see [[pendulum]],
+!>   [[motion]]. Its period: `period_ratio(theta0)` times 2 pi sqrt(l/g); see [[period_ratio]].
 !> - The notes' own ways, to be compared with: the power series `ellipk_series_k(k, terms)` and the
 !>   bound on its remainder, the trapezoidal rule `ellipk_trapezoid_k(k, n)`, the mean step by step
 !>   `agm_steps_k`; see [[ellipk_series_k]], [[ellipk_trapezoid_k]], [[agm_steps_k]].
@@ -128,6 +134,6 @@ module furiko
 
 
    !> The library's version, by the rules of semver.org
-   character(len=*), parameter :: furiko_version = '0.2.0'
+   character(len=*), parameter :: furiko_version = '0.3.0'
 
 end module furiko
