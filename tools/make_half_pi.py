@@ -6,7 +6,7 @@ import os
 import sys
 import mpmath as mp
 
-here = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), '..', 'src', 'integrals')
+here = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), '..', 'src', 'arithmetic')
 mp.mp.prec = 18000
 count = 712          # 24 bits each: exponents of real128, its bits, and the guard
 x = 2/mp.pi

@@ -8,7 +8,7 @@ module furiko_ellipse_sp
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../integrals/furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_ellipse_sp
 
 
@@ -20,7 +20,7 @@ module furiko_ellipse_dp
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../integrals/furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_ellipse_dp
 
 
@@ -33,7 +33,7 @@ module furiko_ellipse_qp
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../integrals/furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_ellipse_qp
 #endif
 

@@ -14,7 +14,7 @@ module furiko_modulus_sp
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../integrals/furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_modulus_sp
 
 
@@ -30,7 +30,7 @@ module furiko_modulus_dp
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../integrals/furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_modulus_dp
 
 
@@ -47,7 +47,7 @@ module furiko_modulus_qp
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../integrals/furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_modulus_qp
 #endif
 

@@ -8,8 +8,8 @@ module furiko_quotients_sp
    implicit none
    private
    include 'furiko_quotients.inc'
-   include '../integrals/furiko_head_sp.inc'
-   include 'furiko_power_of_two_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
+   include '../arithmetic/furiko_power_of_two_sp.inc'
 end module furiko_quotients_sp
 
 
@@ -20,8 +20,8 @@ module furiko_quotients_dp
    implicit none
    private
    include 'furiko_quotients.inc'
-   include '../integrals/furiko_head_dp.inc'
-   include 'furiko_power_of_two_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
+   include '../arithmetic/furiko_power_of_two_dp.inc'
 end module furiko_quotients_dp
 
 
@@ -33,7 +33,7 @@ module furiko_quotients_qp
    implicit none
    private
    include 'furiko_quotients.inc'
-   include '../integrals/furiko_head_qp.inc'
-   include 'furiko_power_of_two_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
+   include '../arithmetic/furiko_power_of_two_qp.inc'
 end module furiko_quotients_qp
 #endif

@@ -13,7 +13,7 @@ module furiko_carlson_plain_sp
    implicit none
    private
    include 'furiko_carlson_plain.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_carlson_plain_sp
 
 
@@ -28,5 +28,5 @@ module furiko_carlson_plain_dp
    implicit none
    private
    include 'furiko_carlson_plain.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_carlson_plain_dp

@@ -9,7 +9,7 @@ module furiko_carlson_words_sp
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_carlson_words_sp
 
 
@@ -21,7 +21,7 @@ module furiko_carlson_words_dp
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_carlson_words_dp
 
 
@@ -34,6 +34,6 @@ module furiko_carlson_words_qp
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include 'furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_carlson_words_qp
 #endif

@@ -8,7 +8,7 @@ module furiko_duplication_sp
    implicit none
    private
    include 'furiko_duplication.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_duplication_sp
 
 
@@ -17,7 +17,7 @@ module furiko_duplication_dp
    implicit none
    private
    include 'furiko_duplication.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_duplication_dp
 
 
@@ -27,6 +27,6 @@ module furiko_duplication_qp
    implicit none
    private
    include 'furiko_duplication.inc'
-   include 'furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_duplication_qp
 #endif

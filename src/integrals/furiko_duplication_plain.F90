@@ -9,7 +9,7 @@ module furiko_duplication_plain_sp
    implicit none
    private
    include 'furiko_duplication_plain.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_duplication_plain_sp
 
 
@@ -19,5 +19,5 @@ module furiko_duplication_plain_dp
    implicit none
    private
    include 'furiko_duplication_plain.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_duplication_plain_dp

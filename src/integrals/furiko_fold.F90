@@ -1,15 +1,6 @@
 ! SPDX-License-Identifier: MIT
 
 !> Reduction of an angle by multiples of pi with its sine and cosine in words. Internal.
-module furiko_half_pi_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32
-   implicit none
-   private
-   public :: half_pi
-   include 'furiko_half_pi_sp.inc'
-end module furiko_half_pi_sp
-
-
 module furiko_fold_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32, int64
    use furiko_duplication_sp, only : lanes
@@ -17,17 +8,8 @@ module furiko_fold_sp
    implicit none
    private
    include 'furiko_fold.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_fold_sp
-
-
-module furiko_half_pi_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64
-   implicit none
-   private
-   public :: half_pi
-   include 'furiko_half_pi_dp.inc'
-end module furiko_half_pi_dp
 
 
 module furiko_fold_dp
@@ -37,20 +19,11 @@ module furiko_fold_dp
    implicit none
    private
    include 'furiko_fold.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_fold_dp
 
 
 #ifdef __GFC_REAL_16__
-module furiko_half_pi_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128
-   implicit none
-   private
-   public :: half_pi
-   include 'furiko_half_pi_qp.inc'
-end module furiko_half_pi_qp
-
-
 module furiko_fold_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
    use furiko_duplication_qp, only : lanes
@@ -58,6 +31,6 @@ module furiko_fold_qp
    implicit none
    private
    include 'furiko_fold.inc'
-   include 'furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_fold_qp
 #endif

@@ -10,7 +10,7 @@ module furiko_legendre_sp
    implicit none
    private
    include 'furiko_legendre.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_legendre_sp
 
 
@@ -23,7 +23,7 @@ module furiko_legendre_dp
    implicit none
    private
    include 'furiko_legendre.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_legendre_dp
 
 
@@ -37,6 +37,6 @@ module furiko_legendre_qp
    implicit none
    private
    include 'furiko_legendre.inc'
-   include 'furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_legendre_qp
 #endif

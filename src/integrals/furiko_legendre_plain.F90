@@ -16,7 +16,7 @@ module furiko_legendre_plain_sp
    implicit none
    private
    include 'furiko_legendre_plain.inc'
-   include 'furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_legendre_plain_sp
 
 
@@ -34,5 +34,5 @@ module furiko_legendre_plain_dp
    implicit none
    private
    include 'furiko_legendre_plain.inc'
-   include 'furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_legendre_plain_dp

@@ -12,7 +12,7 @@ module furiko_motion_sp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../integrals/furiko_head_sp.inc'
+   include '../arithmetic/furiko_head_sp.inc'
 end module furiko_motion_sp
 
 
@@ -27,7 +27,7 @@ module furiko_motion_dp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../integrals/furiko_head_dp.inc'
+   include '../arithmetic/furiko_head_dp.inc'
 end module furiko_motion_dp
 
 
@@ -43,7 +43,7 @@ module furiko_motion_qp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../integrals/furiko_head_qp.inc'
+   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_motion_qp
 #endif
 
