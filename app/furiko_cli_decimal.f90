@@ -74,14 +74,21 @@ contains
       type(decimal), intent(in) :: number
       character(len=:), allocatable :: text
       character(len=24) :: buffer
-      integer(int64) :: unit
+      integer(int64) :: rest
+      integer :: place
 
-      unit = 10_int64**number%places
-      write(buffer, '(i0)') number%digits/unit
-      text = trim(buffer)
+      ! by hand: an internal write takes ten times as long
+      rest = number%digits
+      place = len(buffer)
+      do
+         buffer(place:place) = achar(iachar('0') + int(mod(rest, 10_int64)))
+         rest = rest/10
+         if (rest == 0 .and. place <= len(buffer) - number%places) exit
+         place = place - 1
+      end do
+      text = buffer(place:)
       if (number%places == 0) return
-      write(buffer, '(i18.18)') mod(number%digits, unit)
-      text = text // '.' // buffer(19 - number%places:18)
+      text = text(:len(text) - number%places) // '.' // text(len(text) - number%places + 1:)
    end function to_text
 
 
