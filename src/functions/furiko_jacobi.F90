@@ -4,22 +4,24 @@
 module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
-   use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_sp
 
 
 module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
-   use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_dp
 
 
@@ -27,11 +29,12 @@ end module furiko_jacobi_dp
 module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
-   use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_qp
 #endif
 
