@@ -5,11 +5,12 @@ module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
    use furiko_modulus_sp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
+      modulus_from_m, modulus_from_mc
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_sp
 
 
@@ -17,11 +18,12 @@ module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
    use furiko_modulus_dp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
+      modulus_from_m, modulus_from_mc
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_dp
 
 
@@ -30,11 +32,12 @@ module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
    use furiko_modulus_qp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas
+      modulus_from_m, modulus_from_mc
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
+   include 'furiko_quadrant.inc'
 end module furiko_jacobi_qp
 #endif
 

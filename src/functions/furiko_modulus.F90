@@ -6,6 +6,7 @@ module furiko_modulus_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_sp, only : arctangents
    use furiko_half_pi_sp, only : half_pi
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
@@ -22,6 +23,7 @@ module furiko_modulus_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_dp, only : arctangents
    use furiko_half_pi_dp, only : half_pi
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
@@ -39,6 +41,7 @@ module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_qp, only : arctangents
    use furiko_half_pi_qp, only : half_pi
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc

@@ -5,6 +5,7 @@ module furiko_motion_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, int32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_sp, only : arctangents
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_fold_sp, only : fold
    use furiko_half_pi_sp, only : half_pi
@@ -20,6 +21,7 @@ module furiko_motion_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_dp, only : arctangents
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_fold_dp, only : fold
    use furiko_half_pi_dp, only : half_pi
@@ -36,6 +38,7 @@ module furiko_motion_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
       ieee_quiet_nan, ieee_value
+   use furiko_arctangent_qp, only : arctangents
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_fold_qp, only : fold
    use furiko_half_pi_qp, only : half_pi
