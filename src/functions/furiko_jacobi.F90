@@ -5,8 +5,8 @@ module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
    use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, lanes, quotients, settle, thetas
-   use furiko_quotients_many_sp, only : quotients_many
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
@@ -18,8 +18,8 @@ module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
    use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, lanes, quotients, settle, thetas
-   use furiko_quotients_many_dp, only : quotients_many
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'

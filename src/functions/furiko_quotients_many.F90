@@ -6,7 +6,7 @@ module furiko_quotients_many_sp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_half_pi_sp, only : half_pi
    use furiko_quotients_sp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      lanes, ln2_head, ln2_rest, per_ln2, sine, whole
+      ln2_head, ln2_rest, per_ln2, sine, whole
    implicit none
    private
    include '../integrals/furiko_log_two_sp.inc'
@@ -21,7 +21,7 @@ module furiko_quotients_many_dp
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_half_pi_dp, only : half_pi
    use furiko_quotients_dp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      lanes, ln2_head, ln2_rest, per_ln2, sine, whole
+      ln2_head, ln2_rest, per_ln2, sine, whole
    implicit none
    private
    include '../integrals/furiko_log_two_dp.inc'
