@@ -7,10 +7,12 @@ module furiko_jacobi_sp
    use furiko_modulus_sp, only : complement_from_k, modulus, modulus_from_k, &
       modulus_from_m, modulus_from_mc
    use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+   use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
    include 'furiko_quadrant.inc'
+   include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_sp
 
 
@@ -20,10 +22,12 @@ module furiko_jacobi_dp
    use furiko_modulus_dp, only : complement_from_k, modulus, modulus_from_k, &
       modulus_from_m, modulus_from_mc
    use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+   use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
    include 'furiko_quadrant.inc'
+   include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_dp
 
 
@@ -38,6 +42,7 @@ module furiko_jacobi_qp
    private
    include 'furiko_jacobi.inc'
    include 'furiko_quadrant.inc'
+   include 'furiko_jacobi_loop.inc'
 end module furiko_jacobi_qp
 #endif
 
