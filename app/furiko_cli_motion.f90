@@ -3,7 +3,7 @@
 !> `furiko motion`: where the pendulum is, time by time.
 module furiko_cli_motion
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko, only : motion, pendulum
+   use furiko, only : motion, pendulum, pendulum_rk4
    use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_pendulum, only : read_pendulum_option
    use furiko_cli_quantity, only : angle_of, number_of, pure_number, seconds
@@ -27,7 +27,9 @@ module furiko_cli_motion
       'Angles are in degrees, or as 1rad. Further:' // nl // nl // &
       '  --from T, --to T    first and last time in seconds, or as 500ms, 2min (0, 10)' // nl // &
       '  --step DT           distance of the rows (0.01)' // nl // &
-      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase' // nl // &
+      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase,' // &
+      nl // &
+      '                      rk4 (by Runge-Kutta, a step a row) and its error' // nl // &
       '                      (time,angle,harmonic); angles in radians, energy over m l^2,' // nl // &
       '                      tension over the weight; harmonic is the small-angle motion from' // nl // &
       '                      the same start' // nl // &
@@ -37,9 +39,9 @@ module furiko_cli_motion
       nl // nl // 'Example, the note''s:' // nl // nl // &
       '  furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8'
    character(len=*), parameter :: known_columns(*) = [character(len=8) :: 'time', 'angle', &
-      'harmonic', 'degrees', 'rate', 'energy', 'tension', 'turns', 'phase']
+      'harmonic', 'degrees', 'rate', 'energy', 'tension', 'turns', 'phase', 'rk4', 'error']
    character(len=*), parameter :: units(*) = [character(len=6) :: 's', 'rad', 'rad', '', &
-      'rad_s', 's_2', '', '', '']
+      'rad_s', 's_2', '', '', '', 'rad', 'rad']
 
 
    real(wp), parameter :: most_rows = 1.0e12_wp
@@ -196,6 +198,7 @@ contains
       type(motion) :: path
       type(sheet) :: page
       character(len=16) :: names(size(wish%columns))
+      real(wp) :: rk4(2)
       integer(int64) :: i, last
       integer :: column
 
@@ -212,9 +215,12 @@ contains
       end do
       ! a last step that roundings have made a trifle too long still counts
       last = int((wish%to - wish%from)/wish%step*(1 + epsilon(1.0_wp)), int64)
-      page = begin_sheet(command, wish%form, names, [('f0.6', column=1, size(names))])
+      page = begin_sheet(command, wish%form, names, &
+         [(merge('es16.8e3', 'f0.6    ', wish%columns(column) == 'error'), column=1, size(names))])
+      rk4 = [path%angle(wish%from), path%rate(wish%from)]
       do i = 0, last
-         call page%row(values(path, wish, wish%from + i*wish%step))
+         call page%row(values(path, wish, wish%from + i*wish%step, rk4(1)))
+         call pendulum_rk4(wish%body%gravity/wish%body%length, wish%step, 1, rk4(1), rk4(2))
       end do
       call page%end()
       call finish()
@@ -236,10 +242,12 @@ contains
    end function heading
 
 
-   pure function values(path, wish, time) result(row)
+   pure function values(path, wish, time, rk4) result(row)
       type(motion), intent(in) :: path
       type(request), intent(in) :: wish
       real(wp), intent(in) :: time
+      !> The angle by Runge-Kutta
+      real(wp), intent(in) :: rk4
       real(wp) :: row(size(wish%columns))
       real(wp), parameter :: pi = acos(-1.0_wp)
       integer :: i
@@ -252,6 +260,10 @@ contains
             row(i) = path%angle(time)
          case ('degrees')
             row(i) = path%angle(time)*(180/pi)
+         case ('rk4')
+            row(i) = rk4
+         case ('error')
+            row(i) = rk4 - path%angle(time)
          case ('harmonic')
             row(i) = path%harmonic_angle(time)
          case ('rate')

@@ -46,7 +46,6 @@ contains
       self%styles(:) = styles
       self%places(:) = [(places_of(styles(i)), i=1, size(styles))]
       line = ''
-      width = 0
       do i = 1, size(columns)
          if (form == 'csv') line = line // ',' // trim(columns(i))
          width = width_of(styles(i))
@@ -55,7 +54,7 @@ contains
       end do
       select case (form)
       case ('text')
-         if (width > 0) call put(line(2:))
+         if (all(self%places < 0)) call put(line(2:))
       case ('csv')
          call put(line(2:))
       case ('json')
