@@ -27,12 +27,11 @@ module furiko_cli_motion
       'Angles are in degrees, or as 1rad. Further:' // nl // nl // &
       '  --from T, --to T    first and last time in seconds, or as 500ms, 2min (0, 10)' // nl // &
       '  --step DT           distance of the rows (0.01)' // nl // &
-      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase,' // &
-      nl // &
-      '                      rk4 (by Runge-Kutta, a step a row) and its error' // nl // &
-      '                      (time,angle,harmonic); angles in radians, energy over m l^2,' // nl // &
-      '                      tension over the weight; harmonic is the small-angle motion from' // nl // &
-      '                      the same start' // nl // &
+      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase,rk4,' // &
+      nl // '                      error (time,angle,harmonic): angles in radians but for degrees;' // nl // &
+      '                      harmonic is the small-angle motion from the same start; energy over' // nl // &
+      '                      m l^2; tension over the weight; rk4 by Runge-Kutta, a step a row,' // nl // &
+      '                      and its error' // nl // &
       '  --length L          metres, or as 25cm (1)' // nl // &
       '  --gravity G         m/s^2 (9.80665)' // nl // &
       '  --format F          text (six decimals, as the lecture note''s furiko.c), csv or json (text)' // &
