@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "arithmetic/furiko_compiler.inc"
 
 !> Elliptic integrals, Jacobi elliptic functions and the exact pendulum: what a program `use`s.
 !>
@@ -50,7 +51,7 @@ module furiko
       jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc
    use furiko_modulus, only : modulus, modulus_real32, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_modulus, only : modulus_real128
 #endif
    use furiko_jacobi_epsilon, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
@@ -67,7 +68,7 @@ module furiko
    use furiko_jacobi_zeta, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, &
       heuman_lambda_m, heuman_lambda_mc
    use furiko_motion, only : pendulum, motion, pendulum_real32, motion_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_motion, only : pendulum_real128, motion_real128
 #endif
    use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
@@ -118,7 +119,7 @@ module furiko
    public :: parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
    public :: pendulum, motion, pendulum_real32, motion_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    public :: modulus_real128, pendulum_real128, motion_real128
 #endif
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess

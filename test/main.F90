@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 !> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]; or the accuracy report:
 !> fpm test -- report FILE
@@ -7,40 +8,40 @@ program main
    use test_accuracy, only : collect_accuracy, write_report
    use test_animate, only : collect_animate
    use test_classics_dp, only : collect_classics_dp => collect_classics
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_classics_qp, only : collect_classics_qp => collect_classics
 #endif
    use test_classics_sp, only : collect_classics_sp => collect_classics
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_complete_qp, only : collect_complete_qp => collect_complete
 #endif
    use test_complete_sp, only : collect_complete_sp => collect_complete
    use test_double_word, only : collect_double_word
    use test_fgsl, only : collect_fgsl
    use test_incomplete_dp, only : collect_incomplete_dp => collect_incomplete
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
 #endif
    use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
    use test_integrators_dp, only : collect_integrators_dp => collect_integrators
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_integrators_qp, only : collect_integrators_qp => collect_integrators
 #endif
    use test_integrators_sp, only : collect_integrators_sp => collect_integrators
    use test_jacobi_dp, only : collect_jacobi_dp => collect_jacobi
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_jacobi_qp, only : collect_jacobi_qp => collect_jacobi
 #endif
    use test_jacobi_sp, only : collect_jacobi_sp => collect_jacobi
    use test_motion_dp, only : collect_motion_dp => collect_motion
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_motion_qp, only : collect_motion_qp => collect_motion
 #endif
    use test_motion_sp, only : collect_motion_sp => collect_motion
    use test_nome_dp, only : collect_nome_dp => collect_nome
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_nome_qp, only : collect_nome_qp => collect_nome
 #endif
    use test_nome_sp, only : collect_nome_sp => collect_nome
@@ -80,7 +81,7 @@ program main
       new_testsuite('nome-real64', collect_nome_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
       new_testsuite('classics-real128', collect_classics_qp), &
