@@ -27,6 +27,7 @@
 !> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
 !>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
 !>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
+!> - Whether this build computes right: `furiko_selftest()` is 0; see [[furiko_selftest]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
@@ -79,12 +80,13 @@ module furiko
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
    use furiko_agm_steps, only : agm_steps_k, agm_steps_m, agm_steps_mc
    use furiko_ellipse, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_known_values, only : furiko_selftest
    use furiko_rk4, only : rk4
    use furiko_symplectic, only : verlet, forest_ruth
    use furiko_pendulum_steps, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
    implicit none
    private
-   public :: furiko_version
+   public :: furiko_selftest, furiko_version
    public :: agm
    public :: ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, ellipe_k, ellipe_m, ellipe_mc, &
       ellipe_alpha, ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha, ellipb_k, ellipb_m, &

@@ -35,6 +35,7 @@ program main
    use test_jacobi_qp, only : collect_jacobi_qp => collect_jacobi
 #endif
    use test_jacobi_sp, only : collect_jacobi_sp => collect_jacobi
+   use test_known_values, only : collect_known_values
    use test_motion_dp, only : collect_motion_dp => collect_motion
 #ifdef FURIKO_REAL128
    use test_motion_qp, only : collect_motion_qp => collect_motion
@@ -58,6 +59,7 @@ program main
    integer :: failed, i, passed
 
    suites = [ &
+      new_testsuite('known-values', collect_known_values), &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &

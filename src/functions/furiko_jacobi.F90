@@ -6,13 +6,12 @@ module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : infinity, is_nan
    use furiko_modulus_sp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
    use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_sp
 
@@ -21,13 +20,12 @@ module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan
    use furiko_modulus_dp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
    use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_dp
 
@@ -37,12 +35,11 @@ module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan
    use furiko_modulus_qp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_loop.inc'
 end module furiko_jacobi_qp
 #endif

@@ -10,13 +10,13 @@ module furiko_modulus_sp
    use furiko_half_pi_sp, only : half_pi
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_finite.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_modulus_sp
@@ -29,13 +29,13 @@ module furiko_modulus_dp
    use furiko_half_pi_dp, only : half_pi
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_finite.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_modulus_dp
@@ -44,13 +44,12 @@ end module furiko_modulus_dp
 #ifdef FURIKO_REAL128
 module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan
+   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
    use furiko_arctangent_qp, only : arctangents
    use furiko_half_pi_qp, only : half_pi
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'

@@ -11,6 +11,7 @@ module furiko_quotients_sp
    include 'furiko_quotients.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_finite.inc'
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
@@ -26,6 +27,7 @@ module furiko_quotients_dp
    include 'furiko_quotients.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_finite.inc'
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
@@ -35,7 +37,7 @@ end module furiko_quotients_dp
 #ifdef FURIKO_REAL128
 module furiko_quotients_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_bits_qp, only : head, is_finite, is_nan, power_of_two
+   use furiko_bits_qp, only : head, is_finite, is_nan, nearest_whole, power_of_two
    use furiko_half_pi_qp, only : half_pi
    implicit none
    private

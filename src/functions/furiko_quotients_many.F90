@@ -7,13 +7,14 @@ module furiko_quotients_many_sp
    use furiko_bits_sp, only : infinity
    use furiko_half_pi_sp, only : half_pi
    use furiko_quotients_sp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      ln2_head, ln2_rest, per_ln2, sine, whole
+      ln2_head, ln2_rest, per_ln2, sine
    implicit none
    private
    include '../arithmetic/furiko_log_two_sp.inc'
    include 'furiko_quotients_many.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
 end module furiko_quotients_many_sp
@@ -24,13 +25,14 @@ module furiko_quotients_many_dp
    use furiko_bits_dp, only : infinity
    use furiko_half_pi_dp, only : half_pi
    use furiko_quotients_dp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      ln2_head, ln2_rest, per_ln2, sine, whole
+      ln2_head, ln2_rest, per_ln2, sine
    implicit none
    private
    include '../arithmetic/furiko_log_two_dp.inc'
    include 'furiko_quotients_many.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
 end module furiko_quotients_many_dp

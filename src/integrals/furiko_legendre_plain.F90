@@ -19,6 +19,7 @@ module furiko_legendre_plain_sp
    include 'furiko_legendre_plain.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_legendre_plain_sp
 
@@ -39,5 +40,6 @@ module furiko_legendre_plain_dp
    include 'furiko_legendre_plain.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_legendre_plain_dp
