@@ -50,13 +50,15 @@ program main
    use test_pendulum_cli, only : collect_pendulum_cli
    use test_plot, only : collect_plot
    use test_table, only : collect_table
-   use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
-      testsuite_type, unittest_type
+   use testdrive, only : error_type, get_argument, get_variable, new_testsuite, testsuite_type, &
+      unittest_type
    implicit none
+   !> What skip_test leaves in an error's stat
+   integer, parameter :: skip = 77
    type(testsuite_type), allocatable :: suites(:)
    type(unittest_type), allocatable :: tests(:)
-   character(len=:), allocatable :: suite, test
-   integer :: failed, i, passed
+   character(len=:), allocatable :: folder, suite, test
+   integer :: failed, i, j, passed, skipped
 
    suites = [ &
       new_testsuite('known-values', collect_known_values), &
@@ -97,6 +99,9 @@ program main
    call get_argument(2, test)
    if (allocated(suite) .and. allocated(test)) then
       if (suite == 'report') then
+         ! A file is named from where the user stands: with ./fpmw that is not here.
+         call get_variable('FPMW_FROM', folder)
+         if (allocated(folder) .and. index(test, '/') /= 1) test = folder // '/' // test
          call write_report(test)
          stop
       end if
@@ -104,24 +109,74 @@ program main
 
    passed = 0
    failed = 0
+   skipped = 0
    do i = 1, size(suites)
       if (allocated(suite)) then
          if (suites(i)%name /= suite) cycle
       end if
       write(error_unit, '(2a)') '# ', suites(i)%name
-      if (allocated(test)) then
-         call run_selected(suites(i)%collect, test, error_unit, failed)
-         if (failed < 0) error stop 'no such test'
-         passed = 1 - failed
-      else
-         call suites(i)%collect(tests)
-         passed = passed + size(tests) + failed
-         call run_testsuite(suites(i)%collect, error_unit, failed)
-         passed = passed - failed
-      end if
+      call suites(i)%collect(tests)
+      do j = 1, size(tests)
+         if (allocated(test)) then
+            if (tests(j)%name /= test) cycle
+         end if
+         write(error_unit, '(3a, 2(i0, a))') '  Starting ', tests(j)%name, ' ... (', j, '/', size(tests), ')'
+         call run(tests(j))
+      end do
    end do
-   if (passed + failed == 0) error stop 'no such suite'
+   if (passed + failed + skipped == 0) then
+      call list_names()
+      error stop 'no such test'
+   end if
 
-   write(output_unit, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
+   write(output_unit, '(3(i0, a))') passed, ' passed, ', failed, ' failed, ', skipped, ' skipped'
    if (failed > 0) error stop 1
+
+
+contains
+
+
+   !> Run a test, as test-drive's run_testsuite does, which does not tell how many were skipped.
+   subroutine run(test)
+      type(unittest_type), intent(in) :: test
+      type(error_type), allocatable :: error
+      character(len=:), allocatable :: message, verdict
+
+      call test%test(error)
+      message = ''
+      if (.not. allocated(error)) then
+         verdict = trim(merge('UNEXPECTED PASS', 'PASSED         ', test%should_fail))
+      else
+         verdict = trim(merge('EXPECTED FAIL', 'FAILED       ', test%should_fail))
+         if (error%stat == skip) verdict = 'SKIPPED'
+         if (allocated(error%message)) message = new_line('a') // '  Message: ' // error%message
+         ! test-drive stops the program where a failure is forgotten; this one has been read.
+         error%stat = 0
+      end if
+      select case (verdict)
+      case ('SKIPPED')
+         skipped = skipped + 1
+      case ('PASSED', 'EXPECTED FAIL')
+         passed = passed + 1
+      case default
+         failed = failed + 1
+      end select
+      write(error_unit, '(6a)') '       ... ', test%name, ' [', verdict, ']', message
+      flush(error_unit)
+   end subroutine run
+
+
+   !> The names there are: of suites, or of the tests of the suite that was named
+   subroutine list_names()
+      do i = 1, size(suites)
+         if (allocated(test)) then
+            if (suites(i)%name /= suite) cycle
+            call suites(i)%collect(tests)
+            write(error_unit, '(2a)') ('  - ', tests(j)%name, j=1, size(tests))
+            return
+         end if
+         write(error_unit, '(2a)') '  - ', suites(i)%name
+      end do
+   end subroutine list_names
+
 end program main
