@@ -107,6 +107,7 @@ contains
       type(decimal), intent(in) :: step
       character(len=*), intent(in) :: form
       type(decimal) :: amplitude, limit, stride
+      integer(int64) :: digits
       integer :: places
 
       places = max(first%places, last%places, step%places)
@@ -119,9 +120,9 @@ contains
 
       if (form == 'csv') call put('amplitude_deg,period_ratio')
       if (form == 'json') call put('[')
-      do while (amplitude%digits < limit%digits)
-         call put(row(amplitude, form) // trim(merge(',', ' ', form == 'json')))
-         amplitude%digits = amplitude%digits + stride%digits
+      ! a counted loop: in any other flang keeps each row's text on the stack
+      do digits = amplitude%digits, limit%digits - 1, stride%digits
+         call put(row(decimal(digits, places), form) // trim(merge(',', ' ', form == 'json')))
       end do
       call put(row(limit, form))
       if (form == 'json') call put(']')

@@ -23,6 +23,7 @@ contains
          new_unittest('fractions-of-a-degree', test_fractions), &
          new_unittest('next-to-180', test_next_to_180), &
          new_unittest('last-row-is-to', test_last_row), &
+         new_unittest('long-table', test_long_table), &
          new_unittest('csv', test_csv), &
          new_unittest('json', test_json), &
          new_unittest('help-and-version', test_help), &
@@ -76,6 +77,17 @@ contains
       call check(error, output, ' 0    1.000000000000000' // nl // &
          '100    1.232229196737520' // nl // '150    1.762203729503756' // nl)
    end subroutine test_last_row
+
+
+   !> However many rows, they ask for no more memory
+   subroutine test_long_table(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_shell('ulimit -s 512; furiko --step 0.005 | tail -n 1', output, errors, code)
+      call check(error, output, '179.000    3.901065160389086' // nl, errors)
+   end subroutine test_long_table
 
 
    subroutine test_csv(error)

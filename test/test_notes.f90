@@ -137,7 +137,8 @@ contains
       lines = ''
       do i = 0, 1000
          t = i*dt
-         if (fgsl_sf_elljac_e(omega*t, k*k, sn, cn, dn) /= fgsl_success) return
+         ! no `return` here: in a loop that is left flang gives no text back, and its stack ends
+         if (fgsl_sf_elljac_e(omega*t, k*k, sn, cn, dn) /= fgsl_success) sn = huge(sn)
          write(columns, '(f20.6)') t, 2*asin(k*sn), 2*k*sin(omega*t)
          columns = adjustl(columns)
          lines = lines // trim(columns(1)) // ' ' // trim(columns(2)) // ' ' // trim(columns(3)) // &

@@ -81,7 +81,7 @@ contains
          'time,angle,turns,rate,energy,tension', output, errors, code)
       call check(error, code, 0, errors)
       if (allocated(error)) return
-      read(output, *, iostat=stat) row
+      call read_line(output, row, stat)
       call check(error, stat, 0)
       if (allocated(error)) return
       call check(error, abs(row(3) - anint(row(2)/acos(-1.0_wp)/2)) <= 0.0_wp .and. row(3) > 70)
@@ -167,7 +167,7 @@ contains
       call run_program('converge --k 1/2 --steps 8', output, errors, code)
       call check(error, code == 0 .and. line_count(output) == 9)
       if (allocated(error)) return
-      read(output(max(1, index(output, nl // '    6')):), *, iostat=stat) row
+      call read_line(output(index(output, nl // '    6') + 1:), row, stat)
       call check(error, stat, 0)
       if (allocated(error)) return
       call check(error, abs(row(5) - 1.685750354812606_wp) <= 0.0_wp .and. nint(row(7)) == 14)
@@ -227,15 +227,12 @@ contains
          character(len=*), intent(in) :: steps
          real(wp) :: off
          character(len=:), allocatable :: errors, output
-         character(len=200) :: line
          real(wp) :: row(5)
          integer :: code, stat
 
          call run_shell('furiko rk4 --periods 1 --method ' // trim(methods(i)) // ' ' // steps // &
             ' --format csv | tail -n 1', output, errors, code)
-         line = output
-         row = 0
-         read(line, *, iostat=stat) row
+         call read_line(output, row, stat)
          off = merge(row(4), 0.0_wp, code == 0 .and. stat == 0)
       end function error_of
    end subroutine test_rk4
@@ -377,6 +374,7 @@ contains
          if (allocated(error)) return
          example = output(index(output, nl // '  furiko ', back=.true.) + 10:len(output) - 1)
          call run_program(example, output, errors, code)
+         if (index(errors, 'no real128') > 0) cycle
          call check(error, code == 0 .and. line_count(output) > 0, example)
          if (allocated(error)) return
       end do
@@ -490,13 +488,24 @@ contains
       character(len=:), allocatable :: errors, output
       integer :: code, stat
 
-      row = -1
       call run_program(arguments, output, errors, code)
       call check(error, code, 0, arguments // ': ' // errors)
       if (allocated(error)) return
-      read(output(index(output, nl) + 1:), *, iostat=stat) row
+      call read_line(output(index(output, nl) + 1:), row, stat)
       call check(error, stat, 0, arguments // ': ' // output)
    end subroutine first_row
+
+
+   !> The numbers of a text's first line; stat /= 0 where it has fewer. (To `read`, the end of a line
+   !> in the midst of a text is no blank.)
+   subroutine read_line(text, numbers, stat)
+      character(len=*), intent(in) :: text
+      real(wp), intent(out) :: numbers(:)
+      integer, intent(out) :: stat
+
+      numbers = 0
+      read(text(:index(text // nl, nl) - 1), *, iostat=stat) numbers
+   end subroutine read_line
 
 
    !> All numbers of a text
