@@ -187,3 +187,4 @@ contains
 #endif
 
 end module furiko_cli_digits
+! rooms: 3759241635

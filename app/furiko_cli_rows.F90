@@ -87,3 +87,4 @@ contains
    end subroutine evaluate_rows
 
 end module furiko_cli_rows
+! rooms: 341569128

@@ -140,3 +140,4 @@ module furiko
    character(len=*), parameter :: furiko_version = '0.3.0'
 
 end module furiko
+! rooms: 3759241635

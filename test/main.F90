@@ -180,3 +180,4 @@ contains
    end subroutine list_names
 
 end program main
+! rooms: 3759241635

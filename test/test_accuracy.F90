@@ -397,3 +397,4 @@ contains
    end function decimals
 
 end module test_accuracy
+! rooms: 1440732796

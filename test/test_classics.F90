@@ -55,3 +55,4 @@ module test_classics_qp
    include 'test_classics.inc'
 end module test_classics_qp
 #endif
+! rooms: 3349711193

@@ -46,3 +46,4 @@ module test_incomplete_qp
    include 'test_incomplete.inc'
 end module test_incomplete_qp
 #endif
+! rooms: 1577172035

@@ -37,3 +37,4 @@ module test_ulp
    private
    public :: ulps
 end module test_ulp
+! rooms: 4126852132

@@ -35,3 +35,4 @@ module furiko_arctangent_qp
    include 'furiko_arctangent_plain.inc'
 end module furiko_arctangent_qp
 #endif
+! rooms: 2835102057

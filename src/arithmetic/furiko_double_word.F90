@@ -185,3 +185,4 @@ contains
 #include "furiko_bits.inc"
    include 'furiko_head.inc'
 end module furiko_double_word
+! rooms: 1959053824

@@ -47,3 +47,4 @@ module furiko_by_name
    private
    public :: evaluate
 end module furiko_by_name
+! rooms: 3693100378

@@ -41,3 +41,4 @@ module furiko_agm_steps
    private
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
 end module furiko_agm_steps
+! rooms: 373930753

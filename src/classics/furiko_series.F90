@@ -49,3 +49,4 @@ module furiko_series
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
       period_ratio_series, amplitude_three_terms
 end module furiko_series
+! rooms: 3018781331

@@ -45,3 +45,4 @@ module furiko_trapezoid
    public :: ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, ellipe_trapezoid_k, &
       ellipe_trapezoid_m, ellipe_trapezoid_mc
 end module furiko_trapezoid
+! rooms: 1696140422

@@ -62,3 +62,4 @@ module furiko_inverse_period
       parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
 end module furiko_inverse_period
+! rooms: 386307683

@@ -60,3 +60,4 @@ module furiko_jacobi_zeta
    public :: jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, &
       heuman_lambda_k, heuman_lambda_m, heuman_lambda_mc
 end module furiko_jacobi_zeta
+! rooms: 3867979259

@@ -32,3 +32,4 @@ module furiko_parameters_qp
    include 'furiko_parameters.inc'
 end module furiko_parameters_qp
 #endif
+! rooms: 665828796

@@ -41,3 +41,4 @@ module furiko_agm
    private
    public :: agm
 end module furiko_agm
+! rooms: 3408923414

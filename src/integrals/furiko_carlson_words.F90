@@ -38,3 +38,4 @@ module furiko_carlson_words_qp
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
+! rooms: 3171242682

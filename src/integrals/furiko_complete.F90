@@ -92,3 +92,4 @@ module furiko_complete
       ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
       ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
 end module furiko_complete
+! rooms: 3746526603

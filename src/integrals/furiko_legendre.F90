@@ -41,3 +41,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
+! rooms: 3803248540

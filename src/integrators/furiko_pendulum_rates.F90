@@ -28,3 +28,4 @@ module furiko_pendulum_rates_qp
    include 'furiko_pendulum_rates.inc'
 end module furiko_pendulum_rates_qp
 #endif
+! rooms: 2726342783

@@ -38,3 +38,4 @@ module furiko_rk4
    private
    public :: rk4
 end module furiko_rk4
+! rooms: 291235467

@@ -41,3 +41,4 @@ module furiko_symplectic
    private
    public :: verlet, forest_ruth
 end module furiko_symplectic
+! rooms: 363501362

@@ -99,3 +99,4 @@ contains
    end function furiko_selftest
 
 end module furiko_known_values
+! rooms: 937306087
