@@ -12,6 +12,7 @@ module furiko_modulus_sp
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
+   use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -31,6 +32,7 @@ module furiko_modulus_dp
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
+   use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -51,6 +53,7 @@ module furiko_modulus_qp
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
       whole
+   use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
