@@ -11,6 +11,7 @@ module furiko_modulus_sp
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -30,6 +31,7 @@ module furiko_modulus_dp
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -50,6 +52,7 @@ module furiko_modulus_qp
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -76,4 +79,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 1617349168
+! rooms: 3443747066
