@@ -76,8 +76,7 @@ module test_accuracy
       real :: array_bounds(3) = -1.0
    end type promise
 
-   !> What the docstrings promise. The later line counts. Above 1 the condition at
-   !> m sin^2 phi = 1 lets even double words run out.
+   !> What the docstrings promise. The later line counts.
    real, parameter :: none = 1.0e6
    type(promise), parameter :: promises(*) = [ &
       promise('ellipk', '', [0.55, 0.55, 4.0]), &
@@ -86,12 +85,9 @@ module test_accuracy
       promise('ellipd', '', [0.6, 0.6, 4.0]), &
       promise('ellippi', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
       promise('ellipf', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
-      promise('ellipf', 'above-1', [4.0, 30.0, none]), &
       promise('ellipeinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
       promise('ellipdinc', '', [1.0, 0.6, 1.0], [3.0, 3.0, 1.0]), &
-      promise('ellipdinc', 'above-1', [4.0, 50.0, none]), &
       promise('ellippiinc', '', [1.5, 0.6, 1.0], [4.0, 4.0, 1.0]), &
-      promise('ellippiinc', 'above-1', [4.0, 1000.0, none]), &
       promise('carlson', '', [2.0, 2.0, 2.0], [3.0, 3.0, 2.0]), &
       promise('period', '', [0.6, 0.6, 0.6]), &
       promise('period_excess', '', [0.6, 0.6, 0.6]), &
@@ -267,7 +263,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=*), intent(in) :: file
       type(measurement), allocatable :: list(:)
-      character(len=240) :: message
+      character(len=400) :: message
       integer :: i, kind, line
 
       do kind = 1, size(kind_names)

@@ -64,4 +64,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 3624424982
+! rooms: 3540649069

@@ -98,7 +98,7 @@ def lines(topic):
     for kind in KINDS:
         for regime, forms in regimes.items():
             forms = forms.split()
-            shares = SHARES.get(topic, len(forms))
+            shares = SHARES.get(topic, len(forms)) * (4 if regime in reference_integrals.RARE else 1)
             for form in forms:
                 yield from rows(topic, kind, regime, form, -(-POINTS[kind] // shares))
 
