@@ -56,4 +56,4 @@ module furiko_period
    private
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 end module furiko_period
-! rooms: 3262609825
+! rooms: 2278116252
