@@ -76,7 +76,8 @@ contains
       call check(error, close([ellippi_mc(-1.0e300_wp, 1.0e-200_wp), ellippi_mc(-1.0e300_wp, 0.5_wp)], &
          acos(-1.0_wp)/2*[1.0e-150_wp, 1.0e-150_wp]))
       if (allocated(error)) return
-      call check(error, close([ellippi_mc(1.0e200_wp, 1.0e-300_wp), ellippi_mc([1.0e200_wp], [1.0e-300_wp])], &
+      call check(error, close([ellippi_mc(1.0e200_wp, 1.0e-300_wp), &
+         ellippi_mc([1.0e200_wp], [1.0e-300_wp])], &
          [-3.4577405831022675e-198_wp, -3.4577405831022675e-198_wp]))
    end subroutine test_spread
 
@@ -120,7 +121,8 @@ contains
       real(wp) :: m
       integer :: i, j
 
-      call check(error, close([agm(1.8011535984704893e-306_wp, 4*least), agm(1.0_wp, 8.14050952975677e-12_wp)], &
+      call check(error, close([agm(1.8011535984704893e-306_wp, 4*least), &
+         agm(1.0_wp, 8.14050952975677e-12_wp)], &
          [6.9965952352053862e-308_wp, 0.058349529282354765_wp]))
       if (allocated(error)) return
       do i = 1, 20
@@ -137,8 +139,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), dimension(6) :: a, b, c, k, e
 
-      call check(error, close([ellipk_series_k(-0.9990101241848863_wp, 400), period_ratio_series(3.0_wp, 300), &
-         period_ratio_series(-3.1_wp, 100)], &
+      call check(error, close([ellipk_series_k(-0.9990101241848863_wp, 400), &
+         period_ratio_series(3.0_wp, 300), period_ratio_series(-3.1_wp, 100)], &
          [4.3429654330478564186_wp, 2.5395288944631557634_wp, 2.5180379683851199713_wp]))
       if (allocated(error)) return
       call agm_steps_m(0.9999999999840387_wp, a, b, c, k, e)
