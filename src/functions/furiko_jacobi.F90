@@ -6,7 +6,8 @@ module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : infinity, is_nan
    use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas, whole
    use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
@@ -20,7 +21,8 @@ module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan
    use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas, whole
    use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
@@ -35,7 +37,8 @@ module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan
    use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas, whole
    implicit none
    private
    include 'furiko_jacobi.inc'
