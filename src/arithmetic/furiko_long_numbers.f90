@@ -44,11 +44,11 @@ contains
    !> The sum of column(j) base^(e - j), j = 0, 1, ..., n + 1, which is not negative
    pure function from_columns(n, e, column) result(x)
       integer, intent(in) :: n, e
-      integer(int64), intent(in) :: column(0:n + 1)
+      integer(int64), intent(in) :: column(0:most_limbs + 1)
       type(long_number) :: x
-      integer(int64) :: c(0:n + 1)
+      integer(int64) :: c(0:most_limbs + 1)
       integer :: j, zeros
-      c = column
+      c(:n + 1) = column(:n + 1)
       do j = n + 1, 1, -1
          c(j - 1) = c(j - 1) + shifta(c(j), limb_bits)
          c(j) = iand(c(j), base - 1)
@@ -68,7 +68,11 @@ contains
       integer, intent(in) :: n
       type(long_number), intent(in) :: x
       type(long_number) :: z
-      z = from_columns(n, x%e - 1, [0_int64, x%limb(:n)*(base/2), 0_int64])
+      integer(int64) :: c(0:most_limbs + 1)
+      c(0) = 0
+      c(1:n) = x%limb(:n)*(base/2)
+      c(n + 1) = 0
+      z = from_columns(n, x%e - 1, c)
    end function long_half
 
 
@@ -100,7 +104,7 @@ contains
       type(long_number), intent(in) :: x, y
       integer, intent(in) :: sign_y
       type(long_number) :: z
-      integer(int64) :: c(0:n + 1)
+      integer(int64) :: c(0:most_limbs + 1)
       integer :: j, behind
       behind = x%e - y%e
       c(0) = 0
@@ -118,9 +122,9 @@ contains
       integer, intent(in) :: n
       type(long_number), intent(in) :: x, y
       type(long_number) :: z
-      integer(int64) :: c(0:n + 1)
+      integer(int64) :: c(0:most_limbs + 1)
       integer :: i, j
-      c = 0
+      c(:n + 1) = 0
       do i = 1, n
          do j = 1, min(n, n + 2 - i)
             c(i + j - 1) = c(i + j - 1) + x%limb(i)*y%limb(j)
@@ -136,19 +140,19 @@ contains
       integer, intent(in) :: n
       type(long_number), intent(in) :: x
       type(long_number) :: z
-      integer(int64) :: rest(n + 2), s(0:n + 1)
+      integer(int64) :: rest(most_limbs + 2), s(0:most_limbs + 1)
       real(real64) :: root
       integer :: i, j, odd
       odd = iand(x%e, 1)
-      rest = 0
+      rest(:n + 2) = 0
       rest(1 + odd:n + odd) = x%limb(:n)
-      s = 0
+      s(:n + 1) = 0
       root = sqrt(leading(rest(1:4)))
       s(1) = nint(root, int64)
       s(2) = nint((root - real(s(1), real64))*real_base, int64)
       rest(2:4) = rest(2:4) - [s(1)*s(1), 2*s(1)*s(2), s(2)*s(2)]
       do i = 3, n + 1
-         call carry(rest)
+         call carry(n + 2, rest)
          s(i) = nint(leading(rest(i - 1:min(i + 2, n + 2)))*(0.5_real64*real_base/root), int64)
          do j = 1, min(i - 1, n + 2 - i)
             rest(i + j) = rest(i + j) - 2*s(i)*s(j)
@@ -173,11 +177,12 @@ contains
 
 
    !> All but the first between -base/2 and base/2
-   pure subroutine carry(c)
-      integer(int64), intent(inout) :: c(:)
+   pure subroutine carry(n, c)
+      integer, intent(in) :: n
+      integer(int64), intent(inout) :: c(n)
       integer(int64) :: t
       integer :: j
-      do j = size(c), 2, -1
+      do j = n, 2, -1
          t = shifta(c(j) + base/2, limb_bits)
          c(j) = c(j) - t*base
          c(j - 1) = c(j - 1) + t

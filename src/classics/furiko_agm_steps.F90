@@ -47,4 +47,4 @@ module furiko_agm_steps
    private
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
 end module furiko_agm_steps
-! rooms: 996284029
+! rooms: 3923648874

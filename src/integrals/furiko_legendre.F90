@@ -47,4 +47,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 1491576472
+! rooms: 3837463478
