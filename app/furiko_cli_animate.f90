@@ -112,3 +112,4 @@ contains
    include 'furiko_cli_page.inc'
 
 end module furiko_cli_animate
+! rooms: 3224500294

@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 !> `furiko digits`: K to 33 digits by real128 in two words; digits/ takes over beyond.
 module furiko_cli_digits
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use, intrinsic :: iso_fortran_env, only : int64, wp => real128
    use furiko_word_arithmetic_qp, only : words, pi_words, sqrt, value, operator(+), operator(-), &
       operator(*), operator(/)
@@ -71,7 +72,7 @@ contains
    end function count_of
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    !> K(k) = pi/(2 M(1, k')) of a modulus in words, as text
    function quarter_period(word, count) result(text)
       character(len=*), intent(in) :: word
@@ -186,3 +187,4 @@ contains
 #endif
 
 end module furiko_cli_digits
+! rooms: 3759241635

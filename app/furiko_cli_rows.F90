@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 !> Rows of numbers in, rows of results out, in each kind of real; the text is in furiko_cli_rows.inc.
 module furiko_cli_rows_sp
@@ -31,7 +32,7 @@ module furiko_cli_rows_dp
 end module furiko_cli_rows_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_cli_rows_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
@@ -54,7 +55,7 @@ module furiko_cli_rows
    use furiko_catalogue, only : catalogue_entry
    use furiko_cli_rows_sp, only : answer => evaluate_rows
    use furiko_cli_rows_dp, only : answer => evaluate_rows
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_cli_rows_qp, only : answer => evaluate_rows
 #endif
    use furiko_cli_terminal, only : refuse
@@ -77,7 +78,7 @@ contains
       case ('real64')
          call answer(entry, 0.0_real64)
       case default
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
          call answer(entry, 0.0_real128)
 #else
          call refuse('furiko eval: this compiler has no real128')
@@ -86,3 +87,4 @@ contains
    end subroutine evaluate_rows
 
 end module furiko_cli_rows
+! rooms: 341569128

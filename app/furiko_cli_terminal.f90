@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: MIT
 
 !> What the program says and how it ends: data on standard output, one line on standard error,
-!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line, 3 no gnuplot.
+!> an exit code. Codes: 0 done, 1 the output could not be written, 2 a bad command line, 3 no gnuplot,
+!> 4 this build computes wrong numbers.
 !>
 !> Output goes through C's library: gfortran's own units lose what a full or closed output refuses
 !> and say nothing, and Fortran 2008's `stop` prints its code.

@@ -2,7 +2,7 @@
 
 !> furiko [COMMAND] [OPTIONS]: one command for each question; without one, the table.
 program main
-   use furiko, only : furiko_version
+   use furiko, only : furiko_selftest, furiko_version
    use furiko_cli_animate, only : animate_command
    use furiko_cli_arguments, only : argument_reader
    use furiko_cli_classics, only : converge_command, perimeter_command
@@ -13,7 +13,7 @@ program main
    use furiko_cli_plot, only : plot_command
    use furiko_cli_rk4, only : rk4_command
    use furiko_cli_table, only : table_command
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_terminal, only : complain, finish, put, quit, refuse
    implicit none
    character(len=*), parameter :: nl = new_line('a')
    character(len=*), parameter :: help = &
@@ -41,6 +41,12 @@ program main
          command = word
          call arguments%advance()
       end if
+   end if
+
+   if (furiko_selftest() /= 0) then
+      call complain('furiko: this build computes wrong numbers: its compiler or flags break IEEE ' // &
+         'arithmetic; see "Compiling" in README.md')
+      call quit(4)
    end if
 
    select case (command)

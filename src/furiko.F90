@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "arithmetic/furiko_compiler.inc"
 
 !> Elliptic integrals, Jacobi elliptic functions and the exact pendulum: what a program `use`s.
 !>
@@ -26,6 +27,7 @@
 !> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
 !>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
 !>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
+!> - Whether this build computes right: `furiko_selftest()` is 0; see [[furiko_selftest]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 module furiko
    use furiko_agm, only : agm
@@ -50,7 +52,7 @@ module furiko
       jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc
    use furiko_modulus, only : modulus, modulus_real32, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_modulus, only : modulus_real128
 #endif
    use furiko_jacobi_epsilon, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
@@ -67,7 +69,7 @@ module furiko
    use furiko_jacobi_zeta, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, heuman_lambda_k, &
       heuman_lambda_m, heuman_lambda_mc
    use furiko_motion, only : pendulum, motion, pendulum_real32, motion_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_motion, only : pendulum_real128, motion_real128
 #endif
    use furiko_period, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
@@ -78,12 +80,13 @@ module furiko
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
    use furiko_agm_steps, only : agm_steps_k, agm_steps_m, agm_steps_mc
    use furiko_ellipse, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_known_values, only : furiko_selftest
    use furiko_rk4, only : rk4
    use furiko_symplectic, only : verlet, forest_ruth
    use furiko_pendulum_steps, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
    implicit none
    private
-   public :: furiko_version
+   public :: furiko_selftest, furiko_version
    public :: agm
    public :: ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, ellipe_k, ellipe_m, ellipe_mc, &
       ellipe_alpha, ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha, ellipb_k, ellipb_m, &
@@ -118,7 +121,7 @@ module furiko
    public :: parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
    public :: pendulum, motion, pendulum_real32, motion_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    public :: modulus_real128, pendulum_real128, motion_real128
 #endif
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
@@ -137,3 +140,4 @@ module furiko
    character(len=*), parameter :: furiko_version = '0.3.0'
 
 end module furiko
+! rooms: 3759241635

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 !> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]; or the accuracy report:
 !> fpm test -- report FILE
@@ -7,40 +8,41 @@ program main
    use test_accuracy, only : collect_accuracy, write_report
    use test_animate, only : collect_animate
    use test_classics_dp, only : collect_classics_dp => collect_classics
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_classics_qp, only : collect_classics_qp => collect_classics
 #endif
    use test_classics_sp, only : collect_classics_sp => collect_classics
    use test_cli, only : collect_cli
    use test_complete_dp, only : collect_complete_dp => collect_complete
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_complete_qp, only : collect_complete_qp => collect_complete
 #endif
    use test_complete_sp, only : collect_complete_sp => collect_complete
    use test_double_word, only : collect_double_word
    use test_fgsl, only : collect_fgsl
    use test_incomplete_dp, only : collect_incomplete_dp => collect_incomplete
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
 #endif
    use test_incomplete_sp, only : collect_incomplete_sp => collect_incomplete
    use test_integrators_dp, only : collect_integrators_dp => collect_integrators
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_integrators_qp, only : collect_integrators_qp => collect_integrators
 #endif
    use test_integrators_sp, only : collect_integrators_sp => collect_integrators
    use test_jacobi_dp, only : collect_jacobi_dp => collect_jacobi
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_jacobi_qp, only : collect_jacobi_qp => collect_jacobi
 #endif
    use test_jacobi_sp, only : collect_jacobi_sp => collect_jacobi
+   use test_known_values, only : collect_known_values
    use test_motion_dp, only : collect_motion_dp => collect_motion
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_motion_qp, only : collect_motion_qp => collect_motion
 #endif
    use test_motion_sp, only : collect_motion_sp => collect_motion
    use test_nome_dp, only : collect_nome_dp => collect_nome
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_nome_qp, only : collect_nome_qp => collect_nome
 #endif
    use test_nome_sp, only : collect_nome_sp => collect_nome
@@ -48,15 +50,18 @@ program main
    use test_pendulum_cli, only : collect_pendulum_cli
    use test_plot, only : collect_plot
    use test_table, only : collect_table
-   use testdrive, only : get_argument, new_testsuite, run_selected, run_testsuite, select_suite, &
-      testsuite_type, unittest_type
+   use testdrive, only : error_type, get_argument, get_variable, new_testsuite, testsuite_type, &
+      unittest_type
    implicit none
+   !> What skip_test leaves in an error's stat
+   integer, parameter :: skip = 77
    type(testsuite_type), allocatable :: suites(:)
    type(unittest_type), allocatable :: tests(:)
-   character(len=:), allocatable :: suite, test
-   integer :: failed, i, passed
+   character(len=:), allocatable :: folder, suite, test
+   integer :: failed, i, j, passed, skipped
 
    suites = [ &
+      new_testsuite('known-values', collect_known_values), &
       new_testsuite('table', collect_table), &
       new_testsuite('cli', collect_cli), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &
@@ -80,7 +85,7 @@ program main
       new_testsuite('nome-real64', collect_nome_dp), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
       new_testsuite('classics-real128', collect_classics_qp), &
@@ -94,6 +99,9 @@ program main
    call get_argument(2, test)
    if (allocated(suite) .and. allocated(test)) then
       if (suite == 'report') then
+         ! A file is named from where the user stands: with ./fpmw that is not here.
+         call get_variable('FPMW_FROM', folder)
+         if (allocated(folder) .and. index(test, '/') /= 1) test = folder // '/' // test
          call write_report(test)
          stop
       end if
@@ -101,24 +109,75 @@ program main
 
    passed = 0
    failed = 0
+   skipped = 0
    do i = 1, size(suites)
       if (allocated(suite)) then
          if (suites(i)%name /= suite) cycle
       end if
       write(error_unit, '(2a)') '# ', suites(i)%name
-      if (allocated(test)) then
-         call run_selected(suites(i)%collect, test, error_unit, failed)
-         if (failed < 0) error stop 'no such test'
-         passed = 1 - failed
-      else
-         call suites(i)%collect(tests)
-         passed = passed + size(tests) + failed
-         call run_testsuite(suites(i)%collect, error_unit, failed)
-         passed = passed - failed
-      end if
+      call suites(i)%collect(tests)
+      do j = 1, size(tests)
+         if (allocated(test)) then
+            if (tests(j)%name /= test) cycle
+         end if
+         write(error_unit, '(3a, 2(i0, a))') '  Starting ', tests(j)%name, ' ... (', j, '/', size(tests), ')'
+         call run(tests(j))
+      end do
    end do
-   if (passed + failed == 0) error stop 'no such suite'
+   if (passed + failed + skipped == 0) then
+      call list_names()
+      error stop 'no such test'
+   end if
 
-   write(output_unit, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
+   write(output_unit, '(3(i0, a))') passed, ' passed, ', failed, ' failed, ', skipped, ' skipped'
    if (failed > 0) error stop 1
+
+
+contains
+
+
+   !> Run a test, as test-drive's run_testsuite does, which does not tell how many were skipped.
+   subroutine run(test)
+      type(unittest_type), intent(in) :: test
+      type(error_type), allocatable :: error
+      character(len=:), allocatable :: message, verdict
+
+      call test%test(error)
+      message = ''
+      if (.not. allocated(error)) then
+         verdict = trim(merge('UNEXPECTED PASS', 'PASSED         ', test%should_fail))
+      else
+         verdict = trim(merge('EXPECTED FAIL', 'FAILED       ', test%should_fail))
+         if (error%stat == skip) verdict = 'SKIPPED'
+         if (allocated(error%message)) message = new_line('a') // '  Message: ' // error%message
+         ! test-drive stops the program where a failure is forgotten; this one has been read.
+         error%stat = 0
+      end if
+      select case (verdict)
+      case ('SKIPPED')
+         skipped = skipped + 1
+      case ('PASSED', 'EXPECTED FAIL')
+         passed = passed + 1
+      case default
+         failed = failed + 1
+      end select
+      write(error_unit, '(6a)') '       ... ', test%name, ' [', verdict, ']', message
+      flush(error_unit)
+   end subroutine run
+
+
+   !> The names there are: of suites, or of the tests of the suite that was named
+   subroutine list_names()
+      do i = 1, size(suites)
+         if (allocated(test)) then
+            if (suites(i)%name /= suite) cycle
+            call suites(i)%collect(tests)
+            write(error_unit, '(2a)') ('  - ', tests(j)%name, j=1, size(tests))
+            return
+         end if
+         write(error_unit, '(2a)') '  - ', suites(i)%name
+      end do
+   end subroutine list_names
+
 end program main
+! rooms: 3759241635

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_accuracy_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -26,7 +27,7 @@ module test_accuracy_dp
 end module test_accuracy_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_accuracy_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_by_name_qp, only : evaluate
@@ -46,7 +47,7 @@ module test_accuracy
    use, intrinsic :: iso_fortran_env, only : real32, real64, real128
    use test_accuracy_sp, only : measure
    use test_accuracy_dp, only : measure
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_accuracy_qp, only : measure
 #endif
    use test_measurement, only : measurement, name_length
@@ -292,7 +293,7 @@ contains
       case (2)
          call measure(file, 0.0_real64, list)
       case default
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
          call measure(file, 0.0_real128, list)
 #endif
       end select
@@ -396,3 +397,4 @@ contains
    end function decimals
 
 end module test_accuracy
+! rooms: 1440732796

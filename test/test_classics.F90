@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_classics_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -36,7 +37,7 @@ module test_classics_dp
 end module test_classics_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_classics_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
@@ -54,3 +55,4 @@ module test_classics_qp
    include 'test_classics.inc'
 end module test_classics_qp
 #endif
+! rooms: 3349711193

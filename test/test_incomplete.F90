@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_incomplete_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -30,7 +31,7 @@ module test_incomplete_dp
 end module test_incomplete_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_incomplete_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_positive_inf, &
@@ -45,3 +46,4 @@ module test_incomplete_qp
    include 'test_incomplete.inc'
 end module test_incomplete_qp
 #endif
+! rooms: 1577172035

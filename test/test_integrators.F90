@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_integrators_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -32,7 +33,7 @@ module test_integrators_dp
 end module test_integrators_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_integrators_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, &
@@ -48,3 +49,4 @@ module test_integrators_qp
    include 'test_integrators.inc'
 end module test_integrators_qp
 #endif
+! rooms: 1370204243

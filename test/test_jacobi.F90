@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -50,7 +51,7 @@ module test_jacobi_dp
 end module test_jacobi_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
@@ -75,3 +76,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
+! rooms: 2354503380

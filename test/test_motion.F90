@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_motion_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -32,7 +33,7 @@ module test_motion_dp
 end module test_motion_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_motion_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
@@ -48,3 +49,4 @@ module test_motion_qp
    include 'test_motion.inc'
 end module test_motion_qp
 #endif
+! rooms: 3041047938

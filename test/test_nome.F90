@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_nome_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
@@ -44,7 +45,7 @@ module test_nome_dp
 end module test_nome_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_nome_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
@@ -66,3 +67,4 @@ module test_nome_qp
    include 'test_nome.inc'
 end module test_nome_qp
 #endif
+! rooms: 1319645350

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../src/arithmetic/furiko_compiler.inc"
 
 module test_ulp_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -16,7 +17,7 @@ module test_ulp_dp
 end module test_ulp_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module test_ulp_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -29,10 +30,11 @@ end module test_ulp_qp
 module test_ulp
    use test_ulp_sp, only : ulps
    use test_ulp_dp, only : ulps
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use test_ulp_qp, only : ulps
 #endif
    implicit none
    private
    public :: ulps
 end module test_ulp
+! rooms: 4126852132

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "furiko_compiler.inc"
 
 !> pi/2 in parts of half the bits, in each kind of real: their products with whole numbers are exact.
 !> Internal.
@@ -20,7 +21,7 @@ module furiko_half_pi_dp
 end module furiko_half_pi_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_half_pi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -29,3 +30,4 @@ module furiko_half_pi_qp
    include 'furiko_half_pi_qp.inc'
 end module furiko_half_pi_qp
 #endif
+! rooms: 2027122486

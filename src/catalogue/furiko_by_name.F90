@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The library's functions called by name, in each kind of real; the text is in furiko_by_name.inc.
 module furiko_by_name_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use furiko_bits_sp, only : nan
    ! allow(C121)
    use furiko ! all there is, by name
    implicit none
@@ -14,7 +15,7 @@ end module furiko_by_name_sp
 
 module furiko_by_name_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use furiko_bits_dp, only : nan
    ! allow(C121)
    use furiko ! all there is, by name
    implicit none
@@ -23,10 +24,10 @@ module furiko_by_name_dp
 end module furiko_by_name_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_by_name_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use furiko_bits_qp, only : nan
    ! allow(C121)
    use furiko ! all there is, by name
    implicit none
@@ -39,10 +40,11 @@ end module furiko_by_name_qp
 module furiko_by_name
    use furiko_by_name_sp, only : evaluate
    use furiko_by_name_dp, only : evaluate
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_by_name_qp, only : evaluate
 #endif
    implicit none
    private
    public :: evaluate
 end module furiko_by_name
+! rooms: 3693100378

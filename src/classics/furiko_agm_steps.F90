@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_agm_steps_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_bits_sp, only : is_nan, nan
    implicit none
    private
    include 'furiko_agm_steps.inc'
@@ -10,18 +11,18 @@ end module furiko_agm_steps_sp
 
 
 module furiko_agm_steps_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_bits_dp, only : is_nan, nan
    implicit none
    private
    include 'furiko_agm_steps.inc'
 end module furiko_agm_steps_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_agm_steps_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : is_nan, nan
    implicit none
    private
    include 'furiko_agm_steps.inc'
@@ -33,10 +34,11 @@ end module furiko_agm_steps_qp
 module furiko_agm_steps
    use furiko_agm_steps_sp, only : agm_steps_k, agm_steps_m, agm_steps_mc
    use furiko_agm_steps_dp, only : agm_steps_k, agm_steps_m, agm_steps_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_agm_steps_qp, only : agm_steps_k, agm_steps_m, agm_steps_mc
 #endif
    implicit none
    private
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
 end module furiko_agm_steps
+! rooms: 373930753

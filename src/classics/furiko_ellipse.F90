@@ -1,39 +1,41 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_ellipse_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_fortran_env, only : int32, wp => real32
+   use, intrinsic :: iso_fortran_env, only : ip => int32, wp => real32
+   use furiko_bits_sp, only : is_nan, nan
    use furiko_half_pi_sp, only : half_pi
    use furiko_series_sp, only : ellipe_series_m
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_ellipse_sp
 
 
 module furiko_ellipse_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use, intrinsic :: iso_fortran_env, only : ip => int64, wp => real64
+   use furiko_bits_dp, only : is_nan, nan
    use furiko_half_pi_dp, only : half_pi
    use furiko_series_dp, only : ellipe_series_m
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_ellipse_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_ellipse_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_fortran_env, only : int32, int64, wp => real128
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : head, is_nan, nan
    use furiko_half_pi_qp, only : half_pi
    use furiko_series_qp, only : ellipe_series_m
    implicit none
    private
    include 'furiko_ellipse.inc'
-   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_ellipse_qp
 #endif
 
@@ -42,10 +44,11 @@ end module furiko_ellipse_qp
 module furiko_ellipse
    use furiko_ellipse_sp, only : ellipse_perimeter, ellipse_perimeter_series
    use furiko_ellipse_dp, only : ellipse_perimeter, ellipse_perimeter_series
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_ellipse_qp, only : ellipse_perimeter, ellipse_perimeter_series
 #endif
    implicit none
    private
    public :: ellipse_perimeter, ellipse_perimeter_series
 end module furiko_ellipse
+! rooms: 1015375014

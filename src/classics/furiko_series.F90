@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_series_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
    private
@@ -11,8 +11,7 @@ end module furiko_series_sp
 
 
 module furiko_series_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
    private
@@ -20,10 +19,9 @@ module furiko_series_dp
 end module furiko_series_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_series_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
    private
@@ -40,7 +38,7 @@ module furiko_series
    use furiko_series_dp, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
       ellipe_remainder_m, period_ratio_series, amplitude_three_terms
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_series_qp, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
       ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
       ellipe_remainder_m, period_ratio_series, amplitude_three_terms
@@ -51,3 +49,4 @@ module furiko_series
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
       period_ratio_series, amplitude_three_terms
 end module furiko_series
+! rooms: 3018781331

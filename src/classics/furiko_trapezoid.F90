@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_trapezoid_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
    private
@@ -11,8 +11,7 @@ end module furiko_trapezoid_sp
 
 
 module furiko_trapezoid_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
    private
@@ -20,10 +19,9 @@ module furiko_trapezoid_dp
 end module furiko_trapezoid_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_trapezoid_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
    private
@@ -38,7 +36,7 @@ module furiko_trapezoid
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
    use furiko_trapezoid_dp, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_trapezoid_qp, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
       ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
 #endif
@@ -47,3 +45,4 @@ module furiko_trapezoid
    public :: ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, ellipe_trapezoid_k, &
       ellipe_trapezoid_m, ellipe_trapezoid_mc
 end module furiko_trapezoid
+! rooms: 1696140422

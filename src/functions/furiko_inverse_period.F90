@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_inverse_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_half_pi_sp, only : half_pi
    use furiko_nome_sp, only : nome_to_parameter, log_nome_to_parameter
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
@@ -16,8 +16,7 @@ end module furiko_inverse_period_sp
 
 module furiko_inverse_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_half_pi_dp, only : half_pi
    use furiko_nome_dp, only : nome_to_parameter, log_nome_to_parameter
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
@@ -28,11 +27,10 @@ module furiko_inverse_period_dp
 end module furiko_inverse_period_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_inverse_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_half_pi_qp, only : half_pi
    use furiko_nome_qp, only : nome_to_parameter, log_nome_to_parameter
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
@@ -53,7 +51,7 @@ module furiko_inverse_period
    use furiko_inverse_period_dp, only : &
       parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_inverse_period_qp, only : &
       parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
@@ -64,3 +62,4 @@ module furiko_inverse_period
       parameter_from_ellipk, complementary_parameter_from_ellipk, &
       parameter_from_period_ratio, complementary_parameter_from_period_ratio
 end module furiko_inverse_period
+! rooms: 386307683

@@ -1,47 +1,45 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The Jacobi elliptic functions, in each kind of real; the text is in furiko_jacobi.inc.
 module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
+   use furiko_bits_sp, only : infinity, is_nan
    use furiko_modulus_sp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
    use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_sp
 
 
 module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
+   use furiko_bits_dp, only : infinity, is_nan
    use furiko_modulus_dp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
    use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_blocks.inc'
 end module furiko_jacobi_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_value
+   use furiko_bits_qp, only : infinity, is_nan
    use furiko_modulus_qp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas, whole
+      modulus_from_m, modulus_from_mc, quadrant
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas
    implicit none
    private
    include 'furiko_jacobi.inc'
-   include 'furiko_quadrant.inc'
    include 'furiko_jacobi_loop.inc'
 end module furiko_jacobi_qp
 #endif
@@ -68,7 +66,7 @@ module furiko_jacobi
       jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, &
       jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
       jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_jacobi_qp, only : &
       jacobi_k, jacobi_m, jacobi_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc, jacobi_sn_k, &
       jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, &
@@ -89,3 +87,4 @@ module furiko_jacobi
       jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
       jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
 end module furiko_jacobi
+! rooms: 2193878506

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> Jacobi's epsilon, in each kind of real; the text is in furiko_jacobi_epsilon.inc.
 module furiko_jacobi_epsilon_sp
@@ -19,7 +20,7 @@ module furiko_jacobi_epsilon_dp
 end module furiko_jacobi_epsilon_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_jacobi_epsilon_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc
@@ -33,10 +34,11 @@ end module furiko_jacobi_epsilon_qp
 module furiko_jacobi_epsilon
    use furiko_jacobi_epsilon_sp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
    use furiko_jacobi_epsilon_dp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_jacobi_epsilon_qp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
 #endif
    implicit none
    private
    public :: jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
 end module furiko_jacobi_epsilon
+! rooms: 2400436689

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_jacobi_inverse_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_parameters_sp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
@@ -16,8 +16,7 @@ end module furiko_jacobi_inverse_sp
 
 module furiko_jacobi_inverse_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_parameters_dp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
@@ -28,11 +27,10 @@ module furiko_jacobi_inverse_dp
 end module furiko_jacobi_inverse_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_jacobi_inverse_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_parameters_qp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
@@ -72,7 +70,7 @@ module furiko_jacobi_inverse
       jacobi_arcds_k, jacobi_arcds_m, jacobi_arcds_mc, &
       jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, &
       jacobi_arcdc_k, jacobi_arcdc_m, jacobi_arcdc_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_jacobi_inverse_qp, only : &
       jacobi_arcsn_k, jacobi_arcsn_m, jacobi_arcsn_mc, &
       jacobi_arccn_k, jacobi_arccn_m, jacobi_arccn_mc, &
@@ -103,3 +101,4 @@ module furiko_jacobi_inverse
       jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, &
       jacobi_arcdc_k, jacobi_arcdc_m, jacobi_arcdc_mc
 end module furiko_jacobi_inverse
+! rooms: 2957818570

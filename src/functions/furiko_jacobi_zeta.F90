@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_jacobi_zeta_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_fold_sp, only : fold
    use furiko_duplication_sp, only : lanes, rj_of_roots
    use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
@@ -17,8 +17,7 @@ end module furiko_jacobi_zeta_sp
 
 module furiko_jacobi_zeta_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes, rj_of_roots
    use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
@@ -30,11 +29,10 @@ module furiko_jacobi_zeta_dp
 end module furiko_jacobi_zeta_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_jacobi_zeta_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes, rj_of_roots
    use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
@@ -53,7 +51,7 @@ module furiko_jacobi_zeta
       heuman_lambda_k, heuman_lambda_m, heuman_lambda_mc
    use furiko_jacobi_zeta_dp, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, &
       heuman_lambda_k, heuman_lambda_m, heuman_lambda_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_jacobi_zeta_qp, only : jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, &
       heuman_lambda_k, heuman_lambda_m, heuman_lambda_mc
 #endif
@@ -62,3 +60,4 @@ module furiko_jacobi_zeta
    public :: jacobi_zeta_k, jacobi_zeta_m, jacobi_zeta_mc, &
       heuman_lambda_k, heuman_lambda_m, heuman_lambda_mc
 end module furiko_jacobi_zeta
+! rooms: 3867979259

@@ -1,56 +1,58 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The modulus of elliptic functions as an object, in each kind of real: made once, asked for many
 !> arguments; the text is in furiko_modulus.inc.
 module furiko_modulus_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use furiko_bits_sp, only : infinity, nan
    use furiko_arctangent_sp, only : arctangents
    use furiko_half_pi_sp, only : half_pi
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
+   include '../arithmetic/furiko_is_finite.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_modulus_sp
 
 
 module furiko_modulus_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_bits_dp, only : infinity, nan
    use furiko_arctangent_dp, only : arctangents
    use furiko_half_pi_dp, only : half_pi
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
+   include '../arithmetic/furiko_is_finite.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_modulus_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_modulus_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
    use furiko_arctangent_qp, only : arctangents
    use furiko_half_pi_qp, only : half_pi
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle, &
-      whole
+   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle
    implicit none
    private
    include 'furiko_modulus.inc'
-   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_modulus_qp
 #endif
 
@@ -61,16 +63,17 @@ module furiko_modulus
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
    use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_modulus_qp, only : modulus_real128 => modulus, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude
 #endif
    implicit none
    private
    public :: modulus, modulus_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    public :: modulus_real128
 #endif
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
+! rooms: 1617349168

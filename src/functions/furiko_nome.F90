@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_nome_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -15,8 +15,7 @@ end module furiko_nome_sp
 
 module furiko_nome_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -26,11 +25,10 @@ module furiko_nome_dp
 end module furiko_nome_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_nome_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -47,7 +45,7 @@ module furiko_nome
       complementary_parameter_from_nome
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 #endif
@@ -56,3 +54,4 @@ module furiko_nome
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 end module furiko_nome
+! rooms: 3234682926

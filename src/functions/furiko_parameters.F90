@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The parameter and its complement in words. Internal.
 module furiko_parameters_sp
@@ -21,7 +22,7 @@ module furiko_parameters_dp
 end module furiko_parameters_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_parameters_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_legendre_qp, only : by_k, by_m, by_mc
@@ -31,3 +32,4 @@ module furiko_parameters_qp
    include 'furiko_parameters.inc'
 end module furiko_parameters_qp
 #endif
+! rooms: 665828796

@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_theta_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_bits_sp, only : is_nan, nan
    use furiko_fold_sp, only : quadrant_of
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -14,7 +15,7 @@ end module furiko_theta_sp
 
 module furiko_theta_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_bits_dp, only : is_nan, nan
    use furiko_fold_dp, only : quadrant_of
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -24,10 +25,10 @@ module furiko_theta_dp
 end module furiko_theta_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_theta_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
+   use furiko_bits_qp, only : is_nan, nan
    use furiko_fold_qp, only : quadrant_of
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
@@ -44,7 +45,7 @@ module furiko_theta
       theta1_prime, theta2_prime, theta3_prime, theta4_prime
    use furiko_theta_dp, only : theta1, theta2, theta3, theta4, &
       theta1_prime, theta2_prime, theta3_prime, theta4_prime
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_theta_qp, only : theta1, theta2, theta3, theta4, &
       theta1_prime, theta2_prime, theta3_prime, theta4_prime
 #endif
@@ -53,3 +54,4 @@ module furiko_theta
    public :: theta1, theta2, theta3, theta4, &
       theta1_prime, theta2_prime, theta3_prime, theta4_prime
 end module furiko_theta
+! rooms: 1857559203

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_carlson_sp
    use furiko_carlson_words_sp, only : rf, rc, rd, rj, rg, rg_batch
@@ -18,7 +19,7 @@ module furiko_carlson_dp
 end module furiko_carlson_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_carlson_qp
    use furiko_carlson_words_qp, only : rf, rc, rd, rj, rg, &
       rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
@@ -36,7 +37,7 @@ end module furiko_carlson_qp
 module furiko_carlson
    use furiko_carlson_sp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
    use furiko_carlson_dp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_carlson_qp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
 #endif
    implicit none
@@ -44,3 +45,4 @@ module furiko_carlson
 
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
 end module furiko_carlson
+! rooms: 1976763596

@@ -1,39 +1,41 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> Carlson's forms from duplication in words, one at a time or many. Internal.
 module furiko_carlson_words_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use furiko_bits_sp, only : infinity, nan
    use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_carlson_words_sp
 
 
 module furiko_carlson_words_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_bits_dp, only : infinity, nan
    use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_carlson_words_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_carlson_words_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan, &
-      ieee_positive_inf
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : head, infinity, is_nan, nan
    use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
    include 'furiko_carlson_words.inc'
-   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_carlson_words_qp
 #endif
+! rooms: 3171242682

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> Coefficients of the real32 kernel
 module furiko_complete_coefficients_sp
@@ -22,35 +23,36 @@ end module furiko_complete_coefficients_dp
 
 !> Complete elliptic integrals in real32
 module furiko_complete_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_sp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_sp
    implicit none
    private
    include 'furiko_complete.inc'
    include 'furiko_complete_segments.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_complete_sp
 
 
 !> Complete elliptic integrals in real64
 module furiko_complete_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_dp
    implicit none
    private
    include 'furiko_complete.inc'
    include 'furiko_complete_segments.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_complete_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 !> Complete elliptic integrals in real128
 module furiko_complete_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
-      ieee_value
+   use furiko_bits_qp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
    private
@@ -75,7 +77,7 @@ module furiko_complete
       ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
       ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
       ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_complete_qp, only : ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, &
       ellipe_k, ellipe_m, ellipe_mc, ellipe_alpha, &
       ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
@@ -90,3 +92,4 @@ module furiko_complete
       ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
       ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
 end module furiko_complete
+! rooms: 3746526603

@@ -1,36 +1,40 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> Reduction of an angle by multiples of pi with its sine and cosine in words. Internal.
 module furiko_fold_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32, int64
+   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32, int64
    use furiko_duplication_sp, only : lanes
    use furiko_half_pi_sp, only : half_pi
    implicit none
    private
    include 'furiko_fold.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_fold_sp
 
 
 module furiko_fold_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64, int64
    use furiko_duplication_dp, only : lanes
    use furiko_half_pi_dp, only : half_pi
    implicit none
    private
    include 'furiko_fold.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_fold_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_fold_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
+   use, intrinsic :: iso_fortran_env, only : wp => real128, int64
+   use furiko_bits_qp, only : head
    use furiko_duplication_qp, only : lanes
    use furiko_half_pi_qp, only : half_pi
    implicit none
    private
    include 'furiko_fold.inc'
-   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_fold_qp
 #endif
+! rooms: 4291914291

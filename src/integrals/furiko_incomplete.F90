@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_incomplete_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -20,7 +21,7 @@ module furiko_incomplete_dp
 end module furiko_incomplete_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_incomplete_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_legendre_qp, only : integral, first, second, second_d, by_k, by_m, by_mc
@@ -42,7 +43,7 @@ module furiko_incomplete
       ellipf_k, ellipf_m, ellipf_mc, &
       ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
       ellipdinc_k, ellipdinc_m, ellipdinc_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_incomplete_qp, only : &
       ellipf_k, ellipf_m, ellipf_mc, &
       ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
@@ -56,3 +57,4 @@ module furiko_incomplete
       ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
       ellipdinc_k, ellipdinc_m, ellipdinc_mc
 end module furiko_incomplete
+! rooms: 2156777495

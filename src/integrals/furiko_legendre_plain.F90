@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> Legendre's F, E, D and Pi of many arguments by plain duplication, lanes out of the ordinary in
 !> words. Internal.
 module furiko_legendre_plain_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
+   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use furiko_bits_sp, only : infinity
    use furiko_complete_sp, only : ellipk_k, ellipk_m, ellipk_mc, ellipe_k, ellipe_m, ellipe_mc, &
       ellipd_k, ellipd_m, ellipd_mc
    use furiko_duplication_sp, only : lanes
@@ -16,13 +17,16 @@ module furiko_legendre_plain_sp
    implicit none
    private
    include 'furiko_legendre_plain.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_legendre_plain_sp
 
 
 module furiko_legendre_plain_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_bits_dp, only : infinity
    use furiko_complete_dp, only : ellipk_k, ellipk_m, ellipk_mc, ellipe_k, ellipe_m, ellipe_mc, &
       ellipd_k, ellipd_m, ellipd_mc
    use furiko_duplication_dp, only : lanes
@@ -34,5 +38,9 @@ module furiko_legendre_plain_dp
    implicit none
    private
    include 'furiko_legendre_plain.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_nearest_whole.inc'
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_legendre_plain_dp
+! rooms: 2518308161

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_third_kind_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -20,7 +21,7 @@ module furiko_third_kind_dp
 end module furiko_third_kind_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_third_kind_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_legendre_qp, only : integral, complete_third, third, by_k, by_m, by_mc
@@ -40,7 +41,7 @@ module furiko_third_kind
    use furiko_third_kind_dp, only : &
       ellippi_k, ellippi_m, ellippi_mc, &
       ellippiinc_k, ellippiinc_m, ellippiinc_mc
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_third_kind_qp, only : &
       ellippi_k, ellippi_m, ellippi_mc, &
       ellippiinc_k, ellippiinc_m, ellippiinc_mc
@@ -52,3 +53,4 @@ module furiko_third_kind
       ellippi_k, ellippi_m, ellippi_mc, &
       ellippiinc_k, ellippiinc_m, ellippiinc_mc
 end module furiko_third_kind
+! rooms: 2555280396

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 ! Right-hand sides to hand to [[rk4]]: one module for each kind of real, and none over them, since a
 ! generic name cannot be an actual argument. `use furiko_pendulum_rates_dp, only : pendulum_rates`.
@@ -19,7 +20,7 @@ module furiko_pendulum_rates_dp
 end module furiko_pendulum_rates_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_pendulum_rates_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -27,3 +28,4 @@ module furiko_pendulum_rates_qp
    include 'furiko_pendulum_rates.inc'
 end module furiko_pendulum_rates_qp
 #endif
+! rooms: 2726342783

@@ -1,8 +1,9 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_pendulum_steps_sp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : ip => int32, wp => real32
+   use furiko_bits_sp, only : infinity, nan
    implicit none
    private
    include 'furiko_pendulum_pi_sp.inc'
@@ -14,12 +15,14 @@ module furiko_pendulum_steps_sp
    include 'furiko_pendulum_steps.inc'
    include 'furiko_pendulum_fast.inc'
    include 'furiko_pendulum_sine_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_pendulum_steps_sp
 
 
 module furiko_pendulum_steps_dp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : ip => int64, wp => real64
+   use furiko_bits_dp, only : infinity, nan
    implicit none
    private
    include 'furiko_pendulum_pi_dp.inc'
@@ -31,13 +34,15 @@ module furiko_pendulum_steps_dp
    include 'furiko_pendulum_steps.inc'
    include 'furiko_pendulum_fast.inc'
    include 'furiko_pendulum_sine_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_pendulum_steps_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_pendulum_steps_qp
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : is_nan, nan
    implicit none
    private
    include 'furiko_symplectic_weights.inc'
@@ -51,10 +56,11 @@ end module furiko_pendulum_steps_qp
 module furiko_pendulum_steps
    use furiko_pendulum_steps_sp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
    use furiko_pendulum_steps_dp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_pendulum_steps_qp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 #endif
    implicit none
    private
    public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 end module furiko_pendulum_steps
+! rooms: 4118560291

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_rk4_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -16,7 +17,7 @@ module furiko_rk4_dp
 end module furiko_rk4_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_rk4_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -30,10 +31,11 @@ end module furiko_rk4_qp
 module furiko_rk4
    use furiko_rk4_sp, only : rk4
    use furiko_rk4_dp, only : rk4
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_rk4_qp, only : rk4
 #endif
    implicit none
    private
    public :: rk4
 end module furiko_rk4
+! rooms: 291235467

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 module furiko_symplectic_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
@@ -18,7 +19,7 @@ module furiko_symplectic_dp
 end module furiko_symplectic_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_symplectic_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -33,10 +34,11 @@ end module furiko_symplectic_qp
 module furiko_symplectic
    use furiko_symplectic_sp, only : verlet, forest_ruth
    use furiko_symplectic_dp, only : verlet, forest_ruth
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_symplectic_qp, only : verlet, forest_ruth
 #endif
    implicit none
    private
    public :: verlet, forest_ruth
 end module furiko_symplectic
+! rooms: 363501362

@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The exact motion of a pendulum, in each kind of real; the text is in furiko_motion.inc.
 module furiko_motion_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, int32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use furiko_bits_sp, only : infinity, is_finite, is_nan, nan
    use furiko_arctangent_sp, only : arctangents
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_fold_sp, only : fold
@@ -13,14 +13,14 @@ module furiko_motion_sp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../arithmetic/furiko_head_sp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_motion_sp
 
 
 module furiko_motion_dp
-   use, intrinsic :: iso_fortran_env, only : wp => real64, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_bits_dp, only : infinity, is_finite, is_nan, nan
    use furiko_arctangent_dp, only : arctangents
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_fold_dp, only : fold
@@ -29,15 +29,15 @@ module furiko_motion_dp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../arithmetic/furiko_head_dp.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
 end module furiko_motion_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_motion_qp
-   use, intrinsic :: iso_fortran_env, only : wp => real128, int32, int64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite, ieee_is_nan, ieee_positive_inf, &
-      ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan
    use furiko_arctangent_qp, only : arctangents
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_fold_qp, only : fold
@@ -46,7 +46,6 @@ module furiko_motion_qp
    implicit none
    private
    include 'furiko_motion.inc'
-   include '../arithmetic/furiko_head_qp.inc'
 end module furiko_motion_qp
 #endif
 
@@ -55,13 +54,14 @@ end module furiko_motion_qp
 module furiko_motion
    use furiko_motion_sp, only : pendulum_real32 => pendulum, motion_real32 => motion
    use furiko_motion_dp, only : pendulum, motion
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_motion_qp, only : pendulum_real128 => pendulum, motion_real128 => motion
 #endif
    implicit none
    private
    public :: pendulum, motion, pendulum_real32, motion_real32
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
+! rooms: 3624424982

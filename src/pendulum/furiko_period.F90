@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
 
 !> The period of the pendulum, in each kind of real; the text is in furiko_period.inc.
 module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_bits_sp, only : is_nan, nan
    use furiko_duplication_sp, only : lanes
    use furiko_fold_sp, only : fold
    use furiko_nome_sp, only : nome_ratio
@@ -17,7 +18,7 @@ end module furiko_period_sp
 
 module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_bits_dp, only : is_nan, nan
    use furiko_duplication_dp, only : lanes
    use furiko_fold_dp, only : fold
    use furiko_nome_dp, only : nome_ratio
@@ -29,10 +30,10 @@ module furiko_period_dp
 end module furiko_period_dp
 
 
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
 module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_quiet_nan, ieee_value
+   use furiko_bits_qp, only : is_nan, nan
    use furiko_duplication_qp, only : lanes
    use furiko_fold_qp, only : fold
    use furiko_nome_qp, only : nome_ratio
@@ -48,10 +49,11 @@ end module furiko_period_qp
 module furiko_period
    use furiko_period_sp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
    use furiko_period_dp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
-#ifdef __GFC_REAL_16__
+#ifdef FURIKO_REAL128
    use furiko_period_qp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 #endif
    implicit none
    private
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 end module furiko_period
+! rooms: 664574114

@@ -1,4 +1,5 @@
 ! SPDX-License-Identifier: MIT
+#include "furiko_compiler.inc"
 
 !> Double-word arithmetic ("double-double"): a number is the unevaluated sum of two real64,
 !> the second at most half an ulp of the first: about 106 bits or 32 digits, everywhere,
@@ -10,7 +11,7 @@
 !> Source: Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks
 !> of double-word arithmetic, ACM TOMS 44 (2017) 15.
 module furiko_double_word
-   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use, intrinsic :: iso_fortran_env, only : ip => int64, wp => real64
    implicit none
    private
    public :: double_word, double_word_pi
@@ -171,9 +172,9 @@ contains
       type(double_word) :: s, t
       real(wp) :: a_hi, a_lo, b_hi, b_lo
 
-      a_hi = upper_half(a)
+      a_hi = head(a)
       a_lo = a - a_hi
-      b_hi = upper_half(b)
+      b_hi = head(b)
       b_lo = b - b_hi
       s = two_sum(a_hi*b_hi, a_hi*b_lo)
       t = two_sum(s%hi, a_lo*b_hi)
@@ -181,13 +182,7 @@ contains
    end function two_product
 
 
-   !> The leading 26 bits of x; what is left has 27, so that products of halves are exact.
-   elemental function upper_half(x) result(hi)
-      real(wp), intent(in) :: x
-      real(wp) :: hi
-      integer(int64), parameter :: mask = not(2_int64**27 - 1)
-
-      hi = transfer(iand(transfer(x, mask), mask), x)
-   end function upper_half
-
+#include "furiko_bits.inc"
+   include 'furiko_head.inc'
 end module furiko_double_word
+! rooms: 1959053824
