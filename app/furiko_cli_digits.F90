@@ -73,104 +73,185 @@ contains
 
 
 #ifdef FURIKO_REAL128
-   !> K(k) = pi/(2 M(1, k')) of a modulus in words, as text
+   !> K(k) = pi/(2 M(1, k')) as text. k'^2 = (y - x) (y + x)/y^2 for |k| = x/y, and what is in brackets
+   !> is formed of the figures as typed, so that no digit of 1 - k is lost.
    function quarter_period(word, count) result(text)
       character(len=*), intent(in) :: word
       integer, intent(in) :: count
       character(len=:), allocatable :: text
-      type(words) :: a, b, geometric, k, mc
+      ! of real128, not to leave its range
+      integer, parameter :: most_figures = 4800
+      character(len=:), allocatable :: x, y
+      type(words) :: k, per_y, margin
       logical :: valid
 
-      call read_exactly(word, k, valid)
+      call read_fraction(word, x, y, valid)
       if (.not. valid) call refuse(command // ": --k '" // word // "' is not a number")
-      mc = (1.0_wp - k)*(1.0_wp + k)
-      if (.not. value(mc) > 0.0_wp) call refuse(command // ': --k ' // word // ' is outside -1 < k < 1')
+      if (len(y) > most_figures) call refuse(command // ': --k ' // word // ' has too many figures; ' // &
+         elsewhere(word, count))
+      if (.not. llt(x, y)) call refuse(command // ': --k ' // word // ' is outside -1 < k < 1')
+      per_y = 1.0_wp/words_of(y)
+      k = pi_words/twice_mean((words_of(sum_of(y, x, -1))*per_y)*(words_of(sum_of(y, x, 1))*per_y))
+      ! a sum or product in words errs by less than 16 epsilon^2; two for each figure, and 150 more
+      margin = (32.0_wp*len(y) + 2400.0_wp)*epsilon(1.0_wp)**2*k
+      text = decimals(k - margin, count)
+      if (text /= decimals(k + margin, count)) call refuse(command // ': K is too near to the middle of ' // &
+         'two numbers to be rounded here; ' // elsewhere(word, count))
+   end function quarter_period
+
+
+   !> What to do instead
+   function elsewhere(word, count) result(text)
+      character(len=*), intent(in) :: word
+      integer, intent(in) :: count
+      character(len=:), allocatable :: text
+      character(len=12) :: number
+
+      write(number, '(i0)') count
+      text = 'instead: sh digits/run --k ' // word // ' --digits ' // trim(number)
+   end function elsewhere
+
+
+   !> 2 M(1, sqrt(mc))
+   function twice_mean(mc) result(a)
+      type(words), intent(in) :: mc
+      type(words) :: a
+      ! a step halves the logarithm of the ratio, of 14 bits, and from 2 on squares what is left
+      integer, parameter :: most_steps = 24
+      type(words) :: b, geometric
+      integer :: i
+
       a = words(1.0_wp)
       b = sqrt(mc)
-      do while (value(a - b) > epsilon(1.0_wp)*a%hi)
+      do i = 1, most_steps
+         if (value(a - b) <= epsilon(1.0_wp)*a%hi) exit
          geometric = sqrt(a*b)
          a = 0.5_wp*(a + b)
          b = geometric
       end do
-      text = decimals(pi_words/(a + b), count)
-   end function quarter_period
+      a = a + b
+   end function twice_mean
 
 
-   !> A decimal number or a fraction of two, in words
-   subroutine read_exactly(text, x, valid)
+   !> The magnitude of a decimal number or of a fraction of two, as x/y: whole numbers of one length
+   subroutine read_fraction(text, x, y, valid)
       character(len=*), intent(in) :: text
-      type(words), intent(out) :: x
+      character(len=:), allocatable, intent(out) :: x
+      character(len=:), allocatable, intent(out) :: y
       logical, intent(out) :: valid
-      type(words) :: y
-      integer :: slash
+      integer :: slash, places, below
 
       slash = index(text // '/', '/')
-      call read_one(text(:slash - 1), x, valid)
-      if (.not. valid .or. slash > len(text)) return
-      call read_one(text(slash + 1:), y, valid)
-      valid = valid .and. abs(y%hi) > 0.0_wp
-      if (valid) x = x/y
-   end subroutine read_exactly
+      call read_one(text(:slash - 1), x, places, valid)
+      if (.not. valid) return
+      y = '1'
+      below = 0
+      if (slash <= len(text)) call read_one(text(slash + 1:), y, below, valid)
+      if (valid) valid = verify(y, '0') > 0
+      if (.not. valid) return
+      x = x // repeat('0', max(0, below - places))
+      y = y // repeat('0', max(0, places - below))
+      x = repeat('0', max(0, len(y) - len(x))) // x
+      y = repeat('0', max(0, len(x) - len(y))) // y
+   end subroutine read_fraction
 
 
-   !> A decimal number in words: its figures as a whole number, over a power of ten
-   subroutine read_one(text, x, valid)
+   !> The magnitude of a decimal number: a whole number over a power of ten
+   subroutine read_one(text, figures, places, valid)
       character(len=*), intent(in) :: text
-      type(words), intent(out) :: x
+      character(len=:), allocatable, intent(out) :: figures
+      integer, intent(out) :: places
       logical, intent(out) :: valid
-      integer :: i, mark, places, stat
-      logical :: behind_point
+      integer :: mark, point, start, stat
 
+      figures = ''
+      places = 0
       valid = is_number(text)
       if (.not. valid) return
       mark = exponent_mark(text)
-      places = 0
       stat = 0
       if (mark < len(text)) read(text(mark + 1:), '(i20)', iostat=stat) places
       valid = stat == 0 .and. abs(places) < 4000
-      places = -places
-      behind_point = .false.
-      do i = 1, mark - 1
-         if (text(i:i) == '.') behind_point = .true.
-         if (scan(text(i:i), '0123456789') == 0) cycle
-         x = 10.0_wp*x + real(index('123456789', text(i:i)), wp)
-         if (behind_point) places = places + 1
-      end do
-      do i = 1, abs(places)
-         if (places > 0) x = x/10.0_wp
-         if (places < 0) x = x*10.0_wp
-      end do
-      if (text(1:1) == '-') x = -x
+      start = 1
+      if (scan(text, '+-') == 1) start = 2
+      point = scan(text(:mark - 1) // '.', '.')
+      figures = text(start:point - 1) // text(point + 1:mark - 1)
+      places = max(0, mark - 1 - point) - places
    end subroutine read_one
 
 
-   !> x >= 1, to `count` significant digits
+   !> y + x, or with a factor of -1 y - x >= 0; whole numbers of one length
+   pure function sum_of(y, x, factor) result(z)
+      character(len=*), intent(in) :: y
+      character(len=*), intent(in) :: x
+      integer, intent(in) :: factor
+      character(len=:), allocatable :: z
+      integer :: i, figure, carry
+
+      z = '0' // y
+      carry = 0
+      do i = len(y), 1, -1
+         figure = index('123456789', y(i:i)) + factor*index('123456789', x(i:i)) + carry
+         carry = (figure - modulo(figure, 10))/10
+         z(i + 1:i + 1) = achar(iachar('0') + modulo(figure, 10))
+      end do
+      if (carry > 0) z(1:1) = '1'
+   end function sum_of
+
+
+   !> A whole number in words
+   pure function words_of(figures) result(x)
+      character(len=*), intent(in) :: figures
+      type(words) :: x
+      integer :: i
+
+      x = words(0.0_wp)
+      do i = 1, len(figures)
+         x = 10.0_wp*x + real(index('123456789', figures(i:i)), wp)
+      end do
+   end function words_of
+
+
+   !> x >= 1, to `count` significant digits; with an exponent where x has more before its point
    function decimals(x, count) result(text)
       type(words), intent(in) :: x
       integer, intent(in) :: count
       character(len=:), allocatable :: text
-      integer, parameter :: group = 8
-      integer(int64), parameter :: unit = 10_int64**group
       type(words) :: rest
       character(len=12) :: buffer
-      integer(int64) :: part
-      integer :: whole
+      integer :: i, figure, point
 
-      write(buffer, '(i0)') int(value(x), int64)
-      whole = len_trim(buffer)
+      write(buffer, '(i0)') whole_part(x)
+      point = len_trim(buffer)
       ! half a unit of the last digit, and cut
-      rest = x + words(5.0_wp)/10.0_wp**(count - whole + 1)
-      part = floor(value(rest), int64)
-      write(buffer, '(i0)') part
-      text = trim(buffer) // '.'
-      do while (len(text) < count + 1 + group)
-         rest = (rest - real(part, wp))*real(unit, wp)
-         part = floor(value(rest), int64)
-         write(buffer, '(i8.8)') part
-         text = text // buffer(:group)
+      rest = x/10.0_wp**(point - 1) + words(5.0_wp)/10.0_wp**count
+      if (whole_part(rest) > 9) then
+         point = point + 1
+         rest = rest/10.0_wp
+      end if
+      text = ''
+      do i = 1, count
+         figure = int(whole_part(rest))
+         rest = 10.0_wp*(rest - real(figure, wp))
+         text = text // achar(iachar('0') + figure)
       end do
-      text = text(:count + 1)
+      if (point < count) then
+         text = text(:point) // '.' // text(point + 1:)
+      else if (point > count) then
+         write(buffer, '(i0)') point - 1
+         text = text(1:1) // '.' // text(2:) // 'e' // trim(buffer)
+      end if
    end function decimals
+
+
+   !> The largest whole number that is not above x
+   pure function whole_part(x) result(n)
+      type(words), intent(in) :: x
+      integer(int64) :: n
+
+      n = floor(value(x), int64)
+      if (value(x - real(n, wp)) < 0.0_wp) n = n - 1
+   end function whole_part
 #else
    !> Without real128 there are only 16 digits to give.
    function quarter_period(word, count) result(text)

@@ -105,10 +105,11 @@ contains
          'period_ratio', 'slower_percent', 'series']
       character(len=8), parameter :: styles(5) = [character(len=8) :: 'f18.12', 'g22.15', 'f20.15', &
          'g22.15', 'f20.15']
-      real(wp) :: row(5)
+      real(wp) :: row(5), low(5)
       integer :: i, last
 
       last = merge(5, 4, terms > 0)
+      low = 0.0_wp
       page = begin_sheet(command, form, columns(:last), styles(:last))
       do i = 1, size(amplitudes)
          degrees = amplitudes(i)*double_word(180.0_wp)/double_word_pi
@@ -116,11 +117,12 @@ contains
          row(1) = degrees%hi
          row(2) = body%small_period()*ratio%hi
          row(3) = ratio%hi
+         low(3) = ratio%lo
          ratio = ratio - double_word(1.0_wp)
          row(4) = 100*ratio%hi
          if (ratio%hi < 0.5_wp) row(4) = 100*period_excess(amplitudes(i)%hi)
          if (terms > 0) row(5) = period_ratio_series(amplitudes(i)%hi, terms)
-         call page%row(row(:last))
+         call page%row(row(:last), low(:last))
       end do
       call page%end()
       call finish()

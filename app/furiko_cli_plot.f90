@@ -247,20 +247,29 @@ contains
    end subroutine check_text
 
 
-   !> Whether every lead byte has its continuation bytes: an SVG file may hold nothing else.
+   !> Whether every lead byte has its continuation bytes, and the shortest form of a character that
+   !> there is (Unicode, table 3-7): an SVG file may hold nothing else.
    pure function is_utf8(text)
       character(len=*), intent(in) :: text
       logical :: is_utf8
-      integer :: byte, expected, i
+      integer :: byte, expected, i, least, most
 
       is_utf8 = .false.
       expected = 0
+      least = 128
+      most = 191
       do i = 1, len(text)
          byte = iachar(text(i:i))
          if (expected > 0) then
-            if (byte < 128 .or. byte > 191) return
+            if (byte < least .or. byte > most) return
             expected = expected - 1
+            least = 128
+            most = 191
          else
+            if (byte == 224) least = 160
+            if (byte == 240) least = 144
+            if (byte == 237) most = 159
+            if (byte == 244) most = 143
             select case (byte)
             case (0:127)
                expected = 0

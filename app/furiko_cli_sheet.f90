@@ -3,8 +3,9 @@
 !> Rows of numbers under named columns, as text for the eye, csv or json; a row at a time.
 module furiko_cli_sheet
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_decimal, only : decimal, to_text
+   use furiko_cli_decimal, only : decimal, fixed_words => fixed, to_text
    use furiko_cli_terminal, only : put, refuse
+   use furiko_double_word, only : double_word
    implicit none
    private
    public :: sheet, begin_sheet
@@ -66,9 +67,11 @@ contains
 
 
    !> Write a row, as many numbers as there are columns.
-   subroutine row(self, numbers)
+   subroutine row(self, numbers, low)
       class(sheet), intent(inout) :: self
       real(wp), intent(in) :: numbers(:)
+      !> What the rounding of the numbers left, for text with 15 decimals; 0 where it is not known
+      real(wp), intent(in), optional :: low(:)
       character(len=:), allocatable :: line
       integer :: i
 
@@ -82,7 +85,7 @@ contains
                json_number(numbers(i), self%styles(i))
          case default
             if (self%places(i) < 0) then
-               line = line // ' ' // fixed(numbers(i), trim(self%styles(i)))
+               line = line // ' ' // fixed(numbers(i), trim(self%styles(i)), low, i)
             else
                line = line // ' ' // rounded(numbers(i), self%places(i))
             end if
@@ -104,10 +107,12 @@ contains
    end subroutine end
 
 
-   !> A number in a format with a width, i for whole ones
-   pure function fixed(x, style) result(text)
+   !> A number in a format with a width, i for whole ones; with the i-th of `low`, where there is one
+   pure function fixed(x, style, low, i) result(text)
       real(wp), intent(in) :: x
       character(len=*), intent(in) :: style
+      real(wp), intent(in), optional :: low(:)
+      integer, intent(in), optional :: i
       character(len=:), allocatable :: text
       character(len=40) :: buffer
 
@@ -117,6 +122,11 @@ contains
          write(buffer, '(' // style // ')') x
       end if
       text = buffer(:width_of(style))
+      if (.not. present(low)) return
+      if (abs(low(i)) > 0.0_wp) then
+         buffer = fixed_words(double_word(x, low(i)))
+         text(:) = adjustr(buffer(:len(text)))
+      end if
    end function fixed
 
 

@@ -19,6 +19,7 @@ program main
 #endif
    use test_complete_sp, only : collect_complete_sp => collect_complete
    use test_double_word, only : collect_double_word
+   use test_edges, only : collect_edges
    use test_fgsl, only : collect_fgsl
    use test_incomplete_dp, only : collect_incomplete_dp => collect_incomplete
 #ifdef FURIKO_REAL128
@@ -83,6 +84,7 @@ program main
       new_testsuite('motion-real64', collect_motion_dp), &
       new_testsuite('nome-real32', collect_nome_sp), &
       new_testsuite('nome-real64', collect_nome_dp), &
+      new_testsuite('edges', collect_edges), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef FURIKO_REAL128

@@ -46,4 +46,4 @@ module test_incomplete_qp
    include 'test_incomplete.inc'
 end module test_incomplete_qp
 #endif
-! rooms: 1577172035
+! rooms: 2746563625

@@ -76,4 +76,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 2354503380
+! rooms: 1444236706

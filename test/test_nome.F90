@@ -67,4 +67,4 @@ module test_nome_qp
    include 'test_nome.inc'
 end module test_nome_qp
 #endif
-! rooms: 1319645350
+! rooms: 4099105582

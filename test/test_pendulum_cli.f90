@@ -3,7 +3,7 @@
 !> The pendulum at the command line: motion, period, amplitude, drift, converge, perimeter, rk4, digits.
 module test_pendulum_cli
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use test_program, only : line_count, run_program, run_shell
+   use test_program, only : contents, line_count, run_program, run_shell
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private
@@ -41,11 +41,15 @@ contains
          new_unittest('perimeter', test_perimeter), &
          new_unittest('rk4', test_rk4), &
          new_unittest('digits', test_digits), &
+         new_unittest('digits-next-to-1', test_digits_next_to_one), &
+         new_unittest('units', test_units), &
+         new_unittest('heads', test_heads), &
          new_unittest('every-option-does-something', test_options), &
          new_unittest('csv-is-the-text', test_csv), &
          new_unittest('json-is-the-csv', test_json), &
          new_unittest('json-is-json', test_json_tool), &
          new_unittest('help', test_help), &
+         new_unittest('every-help-to-the-byte', test_all_help), &
          new_unittest('refusals', test_refusals), &
          new_unittest('output-that-fails', test_output_failure)]
    end subroutine collect_pendulum_cli
@@ -255,6 +259,108 @@ contains
    end subroutine test_digits
 
 
+   !> 1 - k has all the digits that were typed, as a decimal and as a fraction; K of many digits
+   subroutine test_digits_next_to_one(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: nines = repeat('9', 1000)
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_program('digits', output, errors, code)
+      if (index(errors, 'real128') > 0) then
+         call skip_test(error, 'this compiler has no real128')
+         return
+      end if
+      call expect(error, 'digits --k 0.' // nines(:50), '58.6043480956910600645756345492964' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --k -' // nines(:66) // 'e-66', '77.0250288396434255367195661867713' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --k 0.' // nines, '1152.33226726786275997312157552437' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --k ' // nines(:66) // '/1' // repeat('0', 66), &
+         '77.0250288396434255367195661867713' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --k -0.5/.75', '1.80966749548658849463748228937659' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --k 1e-3000', '1.57079632679489661923132169163975' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --digits 3 --k 0.' // nines, '1.15e3' // nl)
+      if (allocated(error)) return
+      call expect(error, 'digits --digits 4 --k 0.' // nines, '1152' // nl)
+      if (allocated(error)) return
+      call run_program('digits --k 0.' // repeat('9', 4801), output, errors, code)
+      call check(error, code == 2 .and. output == '' .and. index(errors, '9 --digits 33' // nl) > 0, errors)
+      if (allocated(error)) return
+      call expect_refusal(error, 'digits --k 1.' // repeat('0', 100) // '1', errors)
+      if (allocated(error)) return
+      call expect_refusal(error, 'digits --k 3/0', errors)
+   end subroutine test_digits_next_to_one
+
+
+   !> A quantity in any unit is the same quantity, to the last of seventeen digits
+   subroutine test_units(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: pairs(2, 16) = reshape([character(len=48) :: &
+         'period 45 --length 57cm', 'period 45 --length 0.57', &
+         'period 45 --length 57cm', 'period 45 --length 570mm', &
+         'period 45 --length 57cm', 'period 45 --length 0.57m', &
+         'period 45 --length 0.00057km', 'period 45 --length 0.57', &
+         'period 45 --length 7mm', 'period 45 --length 0.007', &
+         'period 45deg', 'period 45', &
+         'period 0.1rad', 'period 1e-1rad', &
+         'amplitude --slower 3%', 'amplitude --slower 0.03', &
+         'amplitude --slower 7%', 'amplitude --slower 7e-2', &
+         'drift --amplitude 20 --off 29%', 'drift --amplitude 20 --off 0.29', &
+         'motion --amplitude 1 --to 57ms --step 7ms', 'motion --amplitude 1 --to 0.057 --step 0.007', &
+         'motion --amplitude 1 --to 1min --step 1', 'motion --amplitude 1 --to 60s --step 1s', &
+         'motion --amplitude 1 --to 0.01h --step 0.1min', 'motion --amplitude 1 --to 36 --step 6', &
+         'motion --release 45 --to 1', 'motion --angle 45deg --to 1s', &
+         'rk4 --length 57cm', 'rk4 --length 0.57', &
+         'perimeter 57cm 29cm', 'perimeter 0.57 0.29'], [2, 16])
+      character(len=:), allocatable :: errors, one, other
+      integer :: code, i
+
+      do i = 1, size(pairs, 2)
+         call run_program(trim(pairs(1, i)) // ' --format csv', one, errors, code)
+         call check(error, code, 0, trim(pairs(1, i)) // ': ' // errors)
+         if (allocated(error)) return
+         call run_program(trim(pairs(2, i)) // ' --format csv', other, errors, code)
+         call check(error, one, other, pairs(1, i))
+         if (allocated(error)) return
+      end do
+   end subroutine test_units
+
+
+   !> The first line of csv: every column's name, and its unit
+   subroutine test_heads(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: all_columns = &
+         'time,angle,harmonic,degrees,rate,energy,tension,turns,phase,rk4,error'
+      character(len=*), parameter :: heads(2, 8) = reshape([character(len=120) :: &
+         'period 1rad', 'amplitude_deg,period_s,period_ratio,slower_percent', &
+         'period 1rad --terms 3', 'amplitude_deg,period_s,period_ratio,slower_percent,series', &
+         'amplitude --slower 3%', 'amplitude_deg,amplitude_rad,three_terms_deg', &
+         'drift --amplitude 20', 'amplitude_deg,slower_percent,swings,time_s', &
+         'converge --k 1/2', 'n,series,series_error,series_digits,trapezoid,trapezoid_error,' // &
+         'trapezoid_digits,agm,agm_error,agm_digits', &
+         'perimeter 2 1', 'perimeter', &
+         'rk4', 'periods,angle_rad,rate_rad_s,angle_error_rad,energy_error', &
+         'table --to 1', 'amplitude_deg,period_ratio'], [2, 8])
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      do i = 1, size(heads, 2)
+         call run_program(trim(heads(1, i)) // ' --format csv', output, errors, code)
+         call check(error, output(:index(output, nl) - 1), trim(heads(2, i)), heads(1, i))
+         if (allocated(error)) return
+      end do
+      call run_program('motion --amplitude 1 --to 0 --format csv --columns ' // all_columns, output, &
+         errors, code)
+      call check(error, output(:index(output, nl) - 1), 'time_s,angle_rad,harmonic_rad,degrees,' // &
+         'rate_rad_s,energy_s_2,tension,turns,phase,rk4_rad,error_rad')
+   end subroutine test_heads
+
+
    !> Each option changes what is printed
    subroutine test_options(error)
       type(error_type), allocatable, intent(out) :: error
@@ -379,6 +485,31 @@ contains
          if (allocated(error)) return
       end do
    end subroutine test_help
+
+
+   !> What each --help says is in test/data/help.txt; -h is the same; a full disk is noticed.
+   subroutine test_all_help(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: commands(*) = [character(len=9) :: '', 'table', 'motion', 'period', &
+         'amplitude', 'drift', 'rk4', 'converge', 'digits', 'perimeter', 'plot', 'eval', 'animate']
+      character(len=:), allocatable :: all_help, errors, output
+      integer :: code, i
+
+      all_help = ''
+      do i = 1, size(commands)
+         call run_program(trim(commands(i)) // ' --help', output, errors, code)
+         call check(error, code == 0 .and. errors == '', commands(i))
+         if (allocated(error)) return
+         all_help = all_help // '== furiko ' // trim(commands(i)) // nl // output
+         call expect(error, trim(commands(i)) // ' -h', output)
+         if (allocated(error)) return
+         call run_program(trim(commands(i)) // ' --help >/dev/full', output, errors, code)
+         call check(error, code == 1 .and. line_count(errors) == 1 .and. &
+            index(errors, 'furiko: cannot write') == 1, trim(commands(i)) // ' --help: ' // errors)
+         if (allocated(error)) return
+      end do
+      call check(error, all_help, contents('test/data/help.txt'))
+   end subroutine test_all_help
 
 
    !> Code 2, nothing on standard output, one line that names the argument and its value

@@ -37,6 +37,7 @@ contains
          new_unittest('gnuplot-that-fails', test_failing_gnuplot), &
          new_unittest('formats-and-sizes', test_formats), &
          new_unittest('strange-names-and-titles', test_strange_text), &
+         new_unittest('titles-in-utf-8', test_utf8), &
          new_unittest('amplitudes', test_amplitudes), &
          new_unittest('data', test_data), &
          new_unittest('svg-carries-the-data', test_svg)]
@@ -199,6 +200,38 @@ contains
       call check(error, index(contents(work() // '/x.svg'), &
          ">it's `touch y` $(touch y) &lt;b> &amp; {/Bold x} %d θ_0<") > 0, 'the title')
    end subroutine test_strange_text
+
+
+   !> What is no UTF-8 is refused before anything is drawn, the first and last of each length is not.
+   !> The title is followed by a wrong option, so that nothing needs gnuplot.
+   subroutine test_utf8(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: broken(*) = [character(len=16) :: '\200', '\277', '\300\200', &
+         '\301\277', &
+         '\302', '\302(', '\303\300', '\337\176', '\340\237\277', '\340\240', '\355\240\200', &
+         '\357\277(', '\357\277\300', '\360\217\277\277', '\360\220\200', '\364\220\200\200', &
+         '\365\200\200\200', '\377', '\303\244\244', 'x\303', '\303x']
+      character(len=*), parameter :: whole(*) = [character(len=20) :: '\176', '\302\200', '\337\277', &
+         '\340\240\200', '\355\237\277', '\356\200\200', '\357\277\275', '\360\220\200\200', &
+         '\364\217\277\277', 'x\316\270x\316\270']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      do i = 1, size(broken)
+         call run_inside('furiko plot phase -o x.svg --title "$(printf ''' // trim(broken(i)) // ''')"; ls', &
+            output, errors, code)
+         call check(error, output == '' .and. errors == 'furiko plot: --title is not UTF-8' // nl, &
+            trim(broken(i)) // ': ' // errors)
+         if (allocated(error)) return
+      end do
+      do i = 1, size(whole)
+         call run_inside('furiko plot phase -o x.svg --amplitude 200 --title "$(printf ''' // &
+            trim(whole(i)) // ''')"; ls', output, errors, code)
+         call check(error, output == '' .and. index(errors, 'UTF') == 0 .and. index(errors, '200') > 0, &
+            trim(whole(i)) // ': ' // errors)
+         if (allocated(error)) return
+      end do
+   end subroutine test_utf8
 
 
    !> What was typed is what is drawn

@@ -3,7 +3,9 @@
 
 module furiko_agm_steps_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use furiko_bits_sp, only : is_nan, nan
+   use furiko_bits_sp, only : infinity, is_nan, nan
+   use furiko_word_arithmetic_sp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_agm_steps.inc'
@@ -12,7 +14,9 @@ end module furiko_agm_steps_sp
 
 module furiko_agm_steps_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_bits_dp, only : is_nan, nan
+   use furiko_bits_dp, only : infinity, is_nan, nan
+   use furiko_word_arithmetic_dp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_agm_steps.inc'
@@ -22,7 +26,9 @@ end module furiko_agm_steps_dp
 #ifdef FURIKO_REAL128
 module furiko_agm_steps_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_bits_qp, only : is_nan, nan
+   use furiko_bits_qp, only : infinity, is_nan, nan
+   use furiko_word_arithmetic_qp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    include 'furiko_agm_steps.inc'
@@ -41,4 +47,4 @@ module furiko_agm_steps
    private
    public :: agm_steps_k, agm_steps_m, agm_steps_mc
 end module furiko_agm_steps
-! rooms: 373930753
+! rooms: 3923648874

@@ -51,4 +51,4 @@ module furiko_ellipse
    private
    public :: ellipse_perimeter, ellipse_perimeter_series
 end module furiko_ellipse
-! rooms: 1015375014
+! rooms: 861274326

@@ -3,6 +3,8 @@
 
 module furiko_series_sp
    use furiko_bits_sp, only : infinity, is_nan, nan
+   use furiko_fold_sp, only : quadrant_of
+   use furiko_word_arithmetic_sp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
    private
@@ -12,6 +14,8 @@ end module furiko_series_sp
 
 module furiko_series_dp
    use furiko_bits_dp, only : infinity, is_nan, nan
+   use furiko_fold_dp, only : quadrant_of
+   use furiko_word_arithmetic_dp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
    private
@@ -22,6 +26,8 @@ end module furiko_series_dp
 #ifdef FURIKO_REAL128
 module furiko_series_qp
    use furiko_bits_qp, only : infinity, is_nan, nan
+   use furiko_fold_qp, only : quadrant_of
+   use furiko_word_arithmetic_qp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
    private
@@ -49,4 +55,4 @@ module furiko_series
       ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
       period_ratio_series, amplitude_three_terms
 end module furiko_series
-! rooms: 3018781331
+! rooms: 4073019637

@@ -5,9 +5,10 @@
 module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : infinity, is_nan
-   use furiko_modulus_sp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
+      quadrant
+   use furiko_quotients_sp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas
    use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
@@ -19,9 +20,10 @@ end module furiko_jacobi_sp
 module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan
-   use furiko_modulus_dp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
+      quadrant
+   use furiko_quotients_dp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas
    use furiko_quotients_many_dp, only : lanes, quotients_many
    implicit none
    private
@@ -34,9 +36,10 @@ end module furiko_jacobi_dp
 module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan
-   use furiko_modulus_qp, only : complement_from_k, modulus, modulus_from_k, &
-      modulus_from_m, modulus_from_mc, quadrant
-   use furiko_quotients_qp, only : by_k, by_m, by_mc, quotients, settle, thetas
+   use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
+      quadrant
+   use furiko_quotients_qp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
+      thetas
    implicit none
    private
    include 'furiko_jacobi.inc'
@@ -87,4 +90,4 @@ module furiko_jacobi
       jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
       jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
 end module furiko_jacobi
-! rooms: 2193878506
+! rooms: 3458333490

@@ -7,7 +7,7 @@ module furiko_jacobi_inverse_sp
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_parameters_sp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
-      sqrt, scale
+      operator(/), sqrt, scale
    implicit none
    private
    include 'furiko_jacobi_inverse.inc'
@@ -20,7 +20,7 @@ module furiko_jacobi_inverse_dp
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_parameters_dp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
-      sqrt, scale
+      operator(/), sqrt, scale
    implicit none
    private
    include 'furiko_jacobi_inverse.inc'
@@ -34,7 +34,7 @@ module furiko_jacobi_inverse_qp
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_parameters_qp, only : parameters, by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
-      sqrt, scale
+      operator(/), sqrt, scale
    implicit none
    private
    include 'furiko_jacobi_inverse.inc'
@@ -101,4 +101,4 @@ module furiko_jacobi_inverse
       jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, &
       jacobi_arcdc_k, jacobi_arcdc_m, jacobi_arcdc_mc
 end module furiko_jacobi_inverse
-! rooms: 2957818570
+! rooms: 2065575763

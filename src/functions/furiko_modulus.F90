@@ -7,10 +7,14 @@ module furiko_modulus_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
    use furiko_arctangent_sp, only : arctangents
+   use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_sp, only : half_pi
+   use furiko_nome_sp, only : nome_k, nome_m, nome_mc
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_quotients_sp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
+      triangle
+   use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -26,10 +30,14 @@ module furiko_modulus_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
    use furiko_arctangent_dp, only : arctangents
+   use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_dp, only : half_pi
+   use furiko_nome_dp, only : nome_k, nome_m, nome_mc
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_quotients_dp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
+      triangle
+   use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -46,10 +54,14 @@ module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
    use furiko_arctangent_qp, only : arctangents
+   use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_qp, only : half_pi
+   use furiko_nome_qp, only : nome_k, nome_m, nome_mc
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : lanes, mean, quotients, thetas, thetas_of, triangle
+   use furiko_quotients_qp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
+      triangle
+   use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -76,4 +88,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 1617349168
+! rooms: 4222267212

@@ -44,4 +44,4 @@ module furiko_quotients_qp
    include 'furiko_quotients.inc'
 end module furiko_quotients_qp
 #endif
-! rooms: 3470757337
+! rooms: 496100420

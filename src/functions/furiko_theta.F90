@@ -54,4 +54,4 @@ module furiko_theta
    public :: theta1, theta2, theta3, theta4, &
       theta1_prime, theta2_prime, theta3_prime, theta4_prime
 end module furiko_theta
-! rooms: 1857559203
+! rooms: 417268919

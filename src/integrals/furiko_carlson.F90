@@ -45,4 +45,4 @@ module furiko_carlson
 
    public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
 end module furiko_carlson
-! rooms: 1976763596
+! rooms: 918399127

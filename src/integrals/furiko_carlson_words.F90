@@ -5,6 +5,7 @@
 module furiko_carlson_words_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
+   use furiko_edges_sp, only : rc_at_edge, rd_at_edge, rj_at_edge
    use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
@@ -18,6 +19,7 @@ end module furiko_carlson_words_sp
 module furiko_carlson_words_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
+   use furiko_edges_dp, only : rc_at_edge, rd_at_edge, rj_at_edge
    use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
@@ -32,10 +34,11 @@ end module furiko_carlson_words_dp
 module furiko_carlson_words_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_nan, nan
+   use furiko_edges_qp, only : rc_at_edge, rd_at_edge, rj_at_edge
    use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
    private
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
-! rooms: 3171242682
+! rooms: 969910706

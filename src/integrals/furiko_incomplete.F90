@@ -57,4 +57,4 @@ module furiko_incomplete
       ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
       ellipdinc_k, ellipdinc_m, ellipdinc_mc
 end module furiko_incomplete
-! rooms: 2156777495
+! rooms: 3288252689

@@ -5,6 +5,8 @@
 module furiko_legendre_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
+   use furiko_edges_sp, only : legendre_at_edge, complete_third_at_edge, &
+      first, second, second_d, third, by_k, by_m, by_mc
    use furiko_fold_sp, only : fold
    use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
@@ -19,6 +21,8 @@ end module furiko_legendre_sp
 module furiko_legendre_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
+   use furiko_edges_dp, only : legendre_at_edge, complete_third_at_edge, &
+      first, second, second_d, third, by_k, by_m, by_mc
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
@@ -34,6 +38,8 @@ end module furiko_legendre_dp
 module furiko_legendre_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_nan, nan
+   use furiko_edges_qp, only : legendre_at_edge, complete_third_at_edge, &
+      first, second, second_d, third, by_k, by_m, by_mc
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
@@ -41,4 +47,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 3803248540
+! rooms: 3837463478

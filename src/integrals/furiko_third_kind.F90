@@ -53,4 +53,4 @@ module furiko_third_kind
       ellippi_k, ellippi_m, ellippi_mc, &
       ellippiinc_k, ellippiinc_m, ellippiinc_mc
 end module furiko_third_kind
-! rooms: 2555280396
+! rooms: 2382356554

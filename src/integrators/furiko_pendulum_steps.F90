@@ -63,4 +63,4 @@ module furiko_pendulum_steps
    private
    public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 end module furiko_pendulum_steps
-! rooms: 4118560291
+! rooms: 329074105

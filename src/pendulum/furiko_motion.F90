@@ -9,7 +9,7 @@ module furiko_motion_sp
    use furiko_duplication_sp, only : lanes, rf_of_roots
    use furiko_fold_sp, only : fold
    use furiko_half_pi_sp, only : half_pi
-   use furiko_modulus_sp, only : modulus, modulus_from_m, modulus_from_sides, sine_cosine
+   use furiko_modulus_sp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
    implicit none
    private
    include 'furiko_motion.inc'
@@ -25,7 +25,7 @@ module furiko_motion_dp
    use furiko_duplication_dp, only : lanes, rf_of_roots
    use furiko_fold_dp, only : fold
    use furiko_half_pi_dp, only : half_pi
-   use furiko_modulus_dp, only : modulus, modulus_from_m, modulus_from_sides, sine_cosine
+   use furiko_modulus_dp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
    implicit none
    private
    include 'furiko_motion.inc'
@@ -42,7 +42,7 @@ module furiko_motion_qp
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_fold_qp, only : fold
    use furiko_half_pi_qp, only : half_pi
-   use furiko_modulus_qp, only : modulus, modulus_from_m, modulus_from_sides, sine_cosine
+   use furiko_modulus_qp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
    implicit none
    private
    include 'furiko_motion.inc'
@@ -64,4 +64,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 3624424982
+! rooms: 967190138

@@ -56,4 +56,4 @@ module furiko_period
    private
    public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
 end module furiko_period
-! rooms: 664574114
+! rooms: 2278116252

@@ -23,11 +23,15 @@ contains
       !> T/T_h
       type(double_word) :: ratio
       real(wp), parameter :: tolerance = epsilon(1.0_wp)
+      ! the exponent of the ratio, at most 2**11, halves (11 steps); then its digits double to 53 (6)
+      integer, parameter :: most_steps = 20
       type(double_word) :: a, b, geometric
+      integer :: step
 
       a = double_word(1.0_wp)
       b = sin((double_word(180.0_wp) - amplitude)*double_word_pi/double_word(360.0_wp))
-      do while (a%hi - b%hi > tolerance*a%hi)
+      do step = 1, most_steps
+         if (a%hi - b%hi <= tolerance*a%hi) exit
          geometric = sqrt(a*b)
          a = (a + b)/double_word(2.0_wp)
          b = geometric

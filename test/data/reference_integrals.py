@@ -38,6 +38,8 @@ def rc(x, y):
 
 def rj(x, y, z, p):
     """R_J, for p < 0 its principal value, DLMF 19.20.14, which takes x or y <= z."""
+    if not (x >= 0 and y >= 0 and z >= 0):  # outside, or not to be told with the present bits
+        return NAN
     if p < 0:
         q, p = -p, (z * (x + y - p) - x * y) / (z - p)
         rest = 3 * (x * y * z / (x * y + p * q)).sqrt() * rc(x * y + p * q, p * q)
@@ -196,6 +198,22 @@ def modulus_above_1(dice, form, phi):
     return {"k": mp.sqrt(m), "m": m, "mc": 1 - m}[form]
 
 
+def rounded_to(bits, x):
+    with mp.workprec(bits):
+        return +x
+
+
+def edge_modulus(dice, form, phi):
+    """m below 1/sin(phi)^2 by a part of it, down to half an ulp."""
+    m = (1 - dice.power(-dice.bits - 1, -3)) / mp.sin(phi) ** 2
+    return {"k": mp.sqrt(m), "m": m, "mc": 1 - m}[form]
+
+
+def edge_angle(dice):
+    phi = dice.pick(quarter(dice), dice.power(-20, 0), mp.pi / 2 - dice.power(-20, -1))
+    return rounded_to(dice.bits, phi)
+
+
 def quarter(dice):
     return dice.uniform(0, mp.pi / 2)
 
@@ -229,6 +247,9 @@ def incomplete_arguments(dice, regime, form):
     if regime == "above-1":
         phi = dice.pick(quarter(dice), dice.power(-30, 0))
         return [phi, modulus_above_1(dice, form, phi)]
+    if regime == "edge":
+        phi = edge_angle(dice)
+        return [phi, edge_modulus(dice, form, phi)]
     return [dice.power(mp.mpf(dice.lowest) / 3 + 1, -4), modulus(dice, "towards-0", form)]
 
 
@@ -257,6 +278,9 @@ def third_kind_arguments(dice, regime, form):
         return [principal_n(dice), any_modulus(dice, form)]
     if regime == "near-m":
         return [next_to_m(dice, form, x), x]
+    if regime == "spread":  # over the whole range
+        n = dice.sign() * dice.power(-dice.lowest / 4, -dice.lowest)
+        return [n, dice.pick(x, dice.tiny() if form == "mc" else 1 - dice.gap())]
     n = dice.pick(dice.uniform(-1, 1), negative_n(dice), principal_n(dice))
     return [n, negative_modulus(dice, form)]
 
@@ -269,6 +293,16 @@ def third_kind_incomplete_arguments(dice, regime, form):
     if regime == "above-1":
         phi = quarter(dice)
         return [dice.uniform(-2, 2), phi, modulus_above_1(dice, form, phi)]
+    if regime == "pole":  # n sin(phi)^2 next to 1
+        phi = rounded_to(dice.bits, dice.pick(quarter(dice), dice.uniform(-40, 40), dice.power(-20, 0)))
+        n = (1 + dice.sign() * dice.power(-dice.bits - 1, -6)) / mp.sin(phi) ** 2
+        m = dice.pick(dice.uniform(), dice.uniform(-5, 1), -dice.power(-5, 20), dice.power(-20, 0))
+        return [n, phi, {"k": mp.sqrt(abs(m)), "m": m, "mc": 1 - m}[form]]
+    if regime == "edge":
+        phi = edge_angle(dice)
+        x = edge_modulus(dice, form, phi)
+        n = dice.pick(dice.uniform(-3, 1), next_to_m(dice, form, x), -dice.power(0, 30))
+        return [n, phi, x]
     if regime == "tiny":
         phi = dice.power(dice.lowest, -4)
         return [dice.sign() * dice.tiny(), phi, modulus(dice, "towards-0", form)]
@@ -293,6 +327,12 @@ def carlson_arguments(dice, regime, form):
     decades = mp.log(10, 2) * 30
     if regime == "extreme":
         return extreme(dice, form, count)
+    if regime in ("spread", "spread-principal"):  # over the whole range
+        part = dice.pick(mp.mpf("0.99"), mp.mpf("0.3")) * dice.lowest
+        values = [dice.power(part, -part) for _ in range(count)]
+        if dice.pick(True, False, False, False):
+            values[0] = values[1] * dice.uniform() if form in ("rc", "rj") else mp.mpf(0)
+        return values[:-1] + [-values[-1]] if regime == "spread-principal" else values
     if regime == "close":
         middle = dice.power(-10, 10)
         return [middle * (1 + dice.sign() * dice.gap()) for _ in range(count)]
@@ -326,17 +366,22 @@ TOPICS = {
         "negative": BOTH, "far-negative": BOTH, "boundaries": BOTH}),
     "incomplete": ("ellipf ellipeinc ellipdinc", incomplete, incomplete_arguments, {
         "uniform": ALL, "multiples": ALL, "any-phi": ALL, "huge-phi": ALL,
-        "negative-m": BOTH, "above-1": ALL, "tiny": ALL}),
+        "negative-m": BOTH, "above-1": ALL, "tiny": ALL, "edge": ALL}),
     "third_kind": ("ellippi", third_kind, third_kind_arguments, {
         "uniform": ALL, "negative-n": ALL, "towards-1": ALL,
-        "principal": ALL, "near-m": ALL, "negative-m": BOTH}),
+        "principal": ALL, "near-m": ALL, "negative-m": BOTH, "spread": ALL}),
     "third_kind_incomplete": (
         "ellippiinc", third_kind_incomplete, third_kind_incomplete_arguments, {
             "uniform": ALL, "negative-n": ALL, "towards-1": ALL, "principal": ALL, "near-m": ALL,
-            "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL}),
+            "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL,
+            "pole": ALL, "edge": ALL}),
     "carlson": ("carlson", carlson, carlson_arguments, {
         "uniform": "rf rc rd rj rg", "wide": "rf rc rd rj rg", "extreme": "rf rc rd rj rg",
-        "zeros": "rf rc rd rj rg", "principal": "rc rj", "close": "rf rc rd rj rg"}),
+        "zeros": "rf rc rd rj rg", "principal": "rc rj", "close": "rf rc rd rj rg",
+        "spread": "rf rc rd rj rg", "spread-principal": "rc rj"}),
     "period": ("period", period, period_arguments, {
         "uniform": "ratio", "towards-pi": "ratio", "tiny": "ratio"}),
 }
+
+# Regimes of a quarter of the points: the long way round takes its time
+RARE = {"edge", "pole", "spread", "spread-principal"}

@@ -290,7 +290,28 @@ def jacobi_arguments(dice, regime, form):
     return periods(dice, form, x, "within", "far", "multiples")
 
 
+def modulus_of(form, m, mc):
+    return {"k": mp.sqrt(abs(m)), "m": m, "mc": mc}[form]
+
+
+def edge_arguments(dice, regime, form):
+    """m just above 1 by each form, u of any exponent, and moduli of any exponent."""
+    if regime == "just-above-1":
+        gap = dice.power(dice.lowest, -4) if form == "mc" else 8 * dice.gap()
+        return periods(dice, form, modulus_of(form, 1 + gap, -gap), "within", "far", "multiples")
+    if regime == "any-exponent":
+        x = dice.pick(any_modulus, above_1, any_modulus if form == "k" else negative_modulus)
+        return [dice.sign() * dice.power(20, -dice.lowest), x(dice, form)]
+    m = dice.power(20, (-2 if form == "k" else -1) * dice.lowest)
+    m *= 1 if form == "k" else dice.sign()
+    return periods(dice, form, modulus_of(form, m, -m), "within", "multiples")
+
+
 def complex_arguments(dice, regime, form):
+    if regime in ("tiny-negative-m", "tiny-m"):
+        x = dice.tiny() * (1 if regime == "tiny-m" else -1)
+        u = [dice.uniform(-10, 10), dice.uniform(-4, 4) * real_quarter_period("mc", x)]
+        return [*u, mp.sqrt(x) if form == "k" else x]
     where = {"negative-m": "negative", "poles": dice.pick("uniform", "towards-1")}
     u, x = periods(dice, form, modulus(dice, where.get(regime, regime), form), "within")
     m, _ = m_and_mc(form, x)
@@ -434,6 +455,9 @@ TOPICS = {
             "uniform": ALL, "multiples": ALL, "any-u": ALL, "huge-u": ALL, "huge-multiples": ALL,
             "tiny-u": ALL, "towards-0": ALL, "towards-1": ALL, "tiny-mc": "mc",
             "negative-m": BOTH, "above-1": ALL}),
+    "jacobi_edges": (
+        "jacobi_sn jacobi_cn jacobi_dn jacobi_am jacobi_epsilon", jacobi, edge_arguments, {
+            "just-above-1": ALL, "any-exponent": ALL, "huge-modulus": ALL}),
     "jacobi_quotients": (
         " ".join(f"jacobi_{name}" for name in QUOTIENTS), jacobi_quotients, jacobi_arguments, {
             "uniform": ALL, "multiples": ALL, "any-u": ALL, "towards-1": ALL, "tiny-mc": "mc",
@@ -441,7 +465,8 @@ TOPICS = {
     "jacobi_complex": (
         "jacobi_sn_re jacobi_sn_im jacobi_cn_re jacobi_cn_im jacobi_dn_re jacobi_dn_im",
         jacobi_complex, complex_arguments, {
-            "uniform": ALL, "towards-1": ALL, "poles": ALL, "negative-m": BOTH}),
+            "uniform": ALL, "towards-1": ALL, "poles": ALL, "negative-m": BOTH,
+            "tiny-negative-m": "m", "tiny-m": "k m"}),
     "jacobi_inverse": (
         "jacobi", jacobi_inverse, inverse_arguments,
         inverse_regimes(["sn", "cn", "dn"]) | {"above-1": inverses_of(["sn", "cn", "dn"])}),
@@ -465,5 +490,7 @@ TOPICS = {
         "towards-1": ALL}),
 }
 # What part of the usual number of points a form has.
-SHARES = {"jacobi_quotients": 20, "jacobi_complex": 8, "jacobi_inverse": 4,
+SHARES = {"jacobi_edges": 10, "jacobi_quotients": 20, "jacobi_complex": 8, "jacobi_inverse": 4,
           "jacobi_inverse_quotients": 20, "theta": 4}
+# Most bits it takes to prove a value; a huge u has as many before the point.
+MOST_BITS = {"jacobi_edges": 65536}

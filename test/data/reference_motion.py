@@ -76,6 +76,9 @@ def excess(_, amplitude):
 
 def amplitude(form, x):
     """The amplitude, from tan(theta0/2)^2 = m/mc."""
+    if form == "excess" and x < arb(2) ** -16382:
+        # of theta0^2/16 + 11 theta0^4/3072 + ... the second is less than a part x
+        return [4 * x.sqrt() * (1 + arb(0, x.mid()))]
     m, mc = from_mean(1 / (x if form == "period" else 1 + x))
     return [2 * (m / mc).sqrt().atan()]
 
@@ -160,6 +163,9 @@ def excess_arguments(dice, regime, _):
 def amplitude_arguments(dice, regime, form):
     if regime == "tiny":
         x = dice.power(2 - dice.bits if form == "period" else dice.lowest, -3)
+    elif regime == "subnormal":
+        # a whole number of the last place there is
+        x = int(dice.power(0, dice.bits - 1)) * mp.mpf(2) ** (dice.lowest - dice.bits + 1)
     elif regime == "long":
         x = dice.uniform(1, 2000 if dice.bits > 24 else 50)
     else:
@@ -177,6 +183,6 @@ TOPICS = {
     "excess": ("period", excess, excess_arguments, {
         "uniform": "excess", "towards-pi": "excess", "tiny": "excess"}),
     "amplitude": ("amplitude_of", amplitude, amplitude_arguments, {
-        "uniform": "excess period", "long": "excess period", "tiny": "excess period"}),
+        "uniform": "excess period", "long": "excess period", "tiny": "excess period", "subnormal": "excess"}),
 }
 SHARES = {"motion": 4}
