@@ -634,8 +634,8 @@ contains
       real(wp), intent(out) :: numbers(:)
       integer, intent(out) :: stat
 
-      numbers = 0
       read(text(:index(text // nl, nl) - 1), *, iostat=stat) numbers
+      if (stat /= 0) numbers = huge(numbers)
    end subroutine read_line
 
 

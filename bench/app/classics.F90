@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: MIT
 
+#ifdef __GFC_REAL_16__
 !> Appendix C of the first note asks which is faster, AGM or trapezoid. K at k = 1/2 to 1e-15 and to
 !> 1e-30: interleaved repeats, the least of each, in ns a value. Prints rows of a Markdown table.
 program classics
@@ -92,3 +93,9 @@ contains
    end subroutine try_quad
 
 end program classics
+#else
+!> The question is one of real128, which this compiler does not have.
+program classics
+   implicit none
+end program classics
+#endif
