@@ -7,6 +7,7 @@ program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
    use test_animate, only : collect_animate
+   use test_catalogue, only : collect_catalogue
    use test_classics_dp, only : collect_classics_dp => collect_classics
 #ifdef FURIKO_REAL128
    use test_classics_qp, only : collect_classics_qp => collect_classics
@@ -64,6 +65,7 @@ program main
    suites = [ &
       new_testsuite('known-values', collect_known_values), &
       new_testsuite('table', collect_table), &
+      new_testsuite('catalogue', collect_catalogue), &
       new_testsuite('cli', collect_cli), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &
       new_testsuite('plot', collect_plot), &

@@ -53,6 +53,8 @@ WORDS = {
     "x": "y", "y": "x", "a": "b", "b": "a", "sinh": "cosh", "cosh": "sinh", "k": "m", "lo": "hi", "hi": "lo",
 }
 COMPARED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "/=", "/=": "=="}
+# The number within epsilon(1.0_wp) is no value
+NO_INQUIRY = "".join(rf"(?<!\b{word}\()" for word in ("digits", "epsilon", "huge", "tiny", "exponent", "kind"))
 NAMED = re.compile(r"\b(?:ellip|jacobi_|carlson_|theta|nome_|period_|put_|is_|two_|read_)\w*")
 
 
@@ -121,7 +123,7 @@ def sites(path, lines):
         put("sign", r"(?<=[\w)\]] )[+-](?= )", lambda m: "-" if m.group() == "+" else "+", code)
         put("sign", r"(?<=[(=,] )-(?=\w)|(?<=\()-(?=[a-z])", "", code)
         put("factor", r"(?<=[\w)])[*/](?=[\w(])(?!\*)", lambda m: "/" if m.group() == "*" else "*", code)
-        put("constant", r"(?<![\w.%])\d+\.\d*(?:[ed][+-]?\d+)?", other_real, code)
+        put("constant", rf"{NO_INQUIRY}(?<![\w.%])\d+\.\d*(?:[ed][+-]?\d+)?", other_real, code)
         put("constant", r"(?<![\w.%])\d+(?![\w.])", lambda m: str(int(m.group()) + 1), code)
         put("constant", r"(?<![\w.%])[1-9]\d*(?![\w.])", lambda m: str(int(m.group()) - 1), code)
         put("term", rf" [+-] {OPERAND}(?=[\s,)])|(?<=[\w)])[*/]{OPERAND}(?=[\s,)])", "", code)
@@ -152,16 +154,17 @@ def sites(path, lines):
 
 
 class Fault:
-    def __init__(self, path, number, kind, old, new):
+    def __init__(self, path, number, kind, old, new, nth):
         self.path, self.number, self.kind, self.old, self.new = path, number, kind, old, new
-        self.key = f"{path}:{number + 1}: {new.strip()}"
+        # No line number, so that a result holds when lines are added elsewhere in the file
+        self.key = f"{path}: {old.strip()} => {new.strip()}" + (f" ({nth})" if nth > 1 else "")
 
     def __str__(self):
         return f"{self.path}:{self.number + 1}  {self.kind}  {self.old.strip()}  =>  {self.new.strip()}"
 
 
 def all_faults(seed):
-    """Every line once in the order of the seed, with one of its faults"""
+    """Every line once, in an order by the seed, with one of its faults, which depends on nothing else"""
     lines = {}
     for folder in "src", "app":
         for file in sorted((ROOT / folder).rglob("*")):
@@ -173,11 +176,10 @@ def all_faults(seed):
             path = str(file.relative_to(ROOT))
             rows = text.split("\n")
             for n, kind, new in sites(path, rows):
-                lines.setdefault((path, n), []).append(Fault(path, n, kind, rows[n], new))
-    chance = random.Random(seed)
-    order = sorted(lines)
-    chance.shuffle(order)
-    for place in order:
+                nth = rows[:n + 1].count(rows[n])
+                lines.setdefault((path, rows[n], nth), []).append(Fault(path, n, kind, rows[n], new, nth))
+    for place in sorted(lines, key=lambda place: random.Random(f"{seed}{place}").random()):
+        chance = random.Random(f"{seed}{place}!")
         # The kind first, since every line has more signs and constants than conditions,
         # and dropped statements, which are seen most easily, where there is little else.
         kinds = sorted({fault.kind for fault in lines[place]})
@@ -303,6 +305,9 @@ TOPICS = [
 OF_PROGRAM = ["cli", "pendulum-cli", "plot", "notes", "animate", "table"]
 
 
+RUNNING = set()
+
+
 class Tests:
     def __init__(self):
         text = (ROOT / "test/main.F90").read_text()
@@ -335,6 +340,7 @@ class Tests:
             slow.set()
             end(process)
 
+        RUNNING.add(process)
         clock = threading.Timer(limit, stop)
         clock.start()
         verdict, last = None, "start"
@@ -352,6 +358,7 @@ class Tests:
             end(process)
             process.stderr.close()
             process.wait()
+            RUNNING.discard(process)
         return f"{suite}/{verdict}" if verdict else None
 
 
@@ -444,7 +451,7 @@ def baseline(scratch, builder, tests, slot):
     _, objects = builder.build(slot / "tree", slot / "home")
     print(f"built in {time.time() - began:.0f} s", file=sys.stderr)
     noted = scratch / "seconds.json"
-    sum_ = hashlib.sha256(repr(objects + sorted(str(p) for p in builder.cache.iterdir() if p.is_dir())).encode())
+    sum_ = hashlib.sha256(repr([objects, sorted((ROOT / "test/data").iterdir())]).encode())
     if noted.exists():
         old = json.loads(noted.read_text())
         if old["sum"] == sum_.hexdigest():
@@ -519,9 +526,17 @@ def main():
                 log.write(f"{fault.key}\t{result}\n")
             print(f"{fault}  --  {result} ({time.time() - began:.0f} s)", flush=True)
 
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
+    try:
         for done in concurrent.futures.as_completed([pool.submit(one, fault) for fault in wanted]):
             done.result()
+    except BaseException:
+        # Nothing of what is cut short is written down
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in list(RUNNING):
+            end(process)
+        os._exit(1)
     score(faults, outcome, True)
 
 
