@@ -7,6 +7,7 @@ program main
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
    use test_animate, only : collect_animate
+   use test_catalogue, only : collect_catalogue
    use test_classics_dp, only : collect_classics_dp => collect_classics
 #ifdef FURIKO_REAL128
    use test_classics_qp, only : collect_classics_qp => collect_classics
@@ -50,6 +51,11 @@ program main
    use test_notes, only : collect_notes
    use test_pendulum_cli, only : collect_pendulum_cli
    use test_plot, only : collect_plot
+   use test_special_dp, only : collect_special_dp => collect_special
+#ifdef FURIKO_REAL128
+   use test_special_qp, only : collect_special_qp => collect_special
+#endif
+   use test_special_sp, only : collect_special_sp => collect_special
    use test_table, only : collect_table
    use testdrive, only : error_type, get_argument, get_variable, new_testsuite, testsuite_type, &
       unittest_type
@@ -64,6 +70,7 @@ program main
    suites = [ &
       new_testsuite('known-values', collect_known_values), &
       new_testsuite('table', collect_table), &
+      new_testsuite('catalogue', collect_catalogue), &
       new_testsuite('cli', collect_cli), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &
       new_testsuite('plot', collect_plot), &
@@ -84,6 +91,8 @@ program main
       new_testsuite('motion-real64', collect_motion_dp), &
       new_testsuite('nome-real32', collect_nome_sp), &
       new_testsuite('nome-real64', collect_nome_dp), &
+      new_testsuite('special-real32', collect_special_sp), &
+      new_testsuite('special-real64', collect_special_dp), &
       new_testsuite('edges', collect_edges), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
@@ -94,6 +103,7 @@ program main
       new_testsuite('integrators-real128', collect_integrators_qp), &
       new_testsuite('jacobi-real128', collect_jacobi_qp), &
       new_testsuite('nome-real128', collect_nome_qp), &
+      new_testsuite('special-real128', collect_special_qp), &
       new_testsuite('motion-real128', collect_motion_qp)]
 #endif
 

@@ -3,8 +3,8 @@
 !> What the program promises at the command line: bytes, exit codes, one line on standard error.
 module test_cli
    use furiko, only : furiko_version
-   use test_program, only : line_count, run_program, run_shell
-   use testdrive, only : check, error_type, new_unittest, unittest_type
+   use test_program, only : contents, line_count, run_program, run_shell
+   use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private
    public :: collect_cli
@@ -32,6 +32,8 @@ contains
          new_unittest('eval-kinds', test_eval_kinds), &
          new_unittest('eval-refusals', test_eval_refusals), &
          new_unittest('eval-list-can-be-called', test_eval_list), &
+         new_unittest('session', test_session), &
+         new_unittest('session-of-digits', test_digits_session), &
          new_unittest('output-that-fails', test_output_failure)]
    end subroutine collect_cli
 
@@ -229,22 +231,67 @@ contains
    end subroutine test_eval_refusals
 
 
-   !> Every name of the list answers a row of arguments with a row of results
+   !> The list to the byte, and each name of it answers a row of arguments
    subroutine test_eval_list(error)
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: errors, output
       integer :: code
 
-      call run_shell('furiko eval --list | while read -r name rest; do ' // &
-         'count=$(echo "$rest" | grep -oE "^[a-z]+( [a-z]+)* " | wc -w); ' // &
-         'case $name in *ratio*|*_of_period|*arcn[sc]*|*arcd[sc]*) x=1.4;; *arcdn*) x=0.99;; ' // &
-         '*arcnd*) x=1.01;; *) x=0.4;; esac; ' // &
-         'echo $x 0.3 0.2 0.1 | cut -d" " -f1-$count | ' // &
-         'furiko eval $name || echo $name >&2; done', output, errors, code)
+      call run_program('eval --list', output, errors, code)
+      call check(error, output, contents('test/data/list.txt'))
+      if (allocated(error)) return
+      call run_shell('tail -n +2 test/data/names.dat | while read -r name arguments results rest; do ' // &
+         'echo $rest | cut -d" " -f1-$arguments | furiko eval $name || echo $name >&2; ' // &
+         'done', output, errors, code)
       call check(error, errors, '')
       if (allocated(error)) return
-      call check(error, line_count(output) > 40 .and. index(output, 'nan') == 0, output)
+      call check(error, line_count(output) == 2*line_count(contents('test/data/list.txt')) .and. &
+         index(output, 'nan') == 0, output)
    end subroutine test_eval_list
+
+
+   !> Every refusal and some of each answer, to the byte
+   subroutine test_session(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_session(error, 'test/data/session.txt')
+   end subroutine test_session
+
+
+   subroutine test_digits_session(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_program('digits', output, errors, code)
+      if (index(errors, 'real128') > 0) then
+         call skip_test(error, 'this compiler has no real128')
+         return
+      end if
+      call check_session(error, 'test/data/session-digits.txt')
+   end subroutine test_digits_session
+
+
+   !> The commands of a file answer what stands below them.
+   subroutine check_session(error, file)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: file
+      character(len=:), allocatable :: errors, expected, output
+      character(len=12) :: number
+      integer :: code, i, line
+
+      call run_shell('session=' // file // '; . test/data/session.sh', output, errors, code)
+      expected = contents(file)
+      if (output == expected .and. errors == '') return
+      line = 1
+      do i = 1, min(len(output), len(expected))
+         if (output(i:i) /= expected(i:i)) exit
+         if (output(i:i) == nl) line = line + 1
+      end do
+      write(number, '(i0)') line
+      call check(error, .false., file // ' line ' // trim(number) // ': ' // &
+         output(i:min(len(output), i + 99)) // errors)
+   end subroutine check_session
 
 
    !> A full device, a closed output, a reader that leaves: an error code, one line, no backtrace
