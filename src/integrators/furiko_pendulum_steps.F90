@@ -3,7 +3,7 @@
 
 module furiko_pendulum_steps_sp
    use, intrinsic :: iso_fortran_env, only : ip => int32, wp => real32
-   use furiko_bits_sp, only : infinity, nan
+   use furiko_bits_sp, only : nan
    implicit none
    private
    include 'furiko_pendulum_pi_sp.inc'
@@ -16,13 +16,13 @@ module furiko_pendulum_steps_sp
    include 'furiko_pendulum_fast.inc'
    include 'furiko_pendulum_sine_sp.inc'
 #include "../arithmetic/furiko_bits.inc"
-   include '../arithmetic/furiko_is_nan.inc'
+   include '../arithmetic/furiko_is_within.inc'
 end module furiko_pendulum_steps_sp
 
 
 module furiko_pendulum_steps_dp
    use, intrinsic :: iso_fortran_env, only : ip => int64, wp => real64
-   use furiko_bits_dp, only : infinity, nan
+   use furiko_bits_dp, only : nan
    implicit none
    private
    include 'furiko_pendulum_pi_dp.inc'
@@ -35,14 +35,14 @@ module furiko_pendulum_steps_dp
    include 'furiko_pendulum_fast.inc'
    include 'furiko_pendulum_sine_dp.inc'
 #include "../arithmetic/furiko_bits.inc"
-   include '../arithmetic/furiko_is_nan.inc'
+   include '../arithmetic/furiko_is_within.inc'
 end module furiko_pendulum_steps_dp
 
 
 #ifdef FURIKO_REAL128
 module furiko_pendulum_steps_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_bits_qp, only : is_nan, nan
+   use furiko_bits_qp, only : is_within, nan
    implicit none
    private
    include 'furiko_symplectic_weights.inc'
@@ -63,4 +63,4 @@ module furiko_pendulum_steps
    private
    public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
 end module furiko_pendulum_steps
-! rooms: 3569237236
+! rooms: 1222206433
