@@ -85,6 +85,7 @@ contains
       type(words) :: k, per_y, margin
       logical :: valid
 
+      y = '' ! for gfortran, which sees a length that was never set
       call read_fraction(word, x, y, valid)
       if (.not. valid) call refuse(command // ": --k '" // word // "' is not a number")
       if (len(y) > most_figures) call refuse(command // ': --k ' // word // ' has too many figures; ' // &
