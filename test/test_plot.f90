@@ -40,6 +40,7 @@ contains
          new_unittest('titles-in-utf-8', test_utf8), &
          new_unittest('amplitudes', test_amplitudes), &
          new_unittest('data', test_data), &
+         new_unittest('scripts-and-data', test_scripts), &
          new_unittest('svg-carries-the-data', test_svg)]
    end subroutine collect_plot
 
@@ -277,6 +278,19 @@ contains
          output, errors, code)
       call check(error, output, '104 0' // nl)
    end subroutine test_data
+
+
+   !> What gnuplot is told, and the heads, names and some rows of the data, as in session-plots.txt;
+   !> numbers to six digits
+   subroutine test_scripts(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_inside('session=$OLDPWD/test/data/session-plots.txt; . "$OLDPWD/test/data/session.sh"', &
+         output, errors, code)
+      call check(error, output // errors, contents('test/data/session-plots.txt'))
+   end subroutine test_scripts
 
 
    !> Every curve of every figure: one scale and one shift take its points in the data to those of
