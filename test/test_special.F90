@@ -3,7 +3,7 @@
 
 !> Every function at special arguments, each against each: test/data/special.dat.gz
 module test_special_sp
-   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
+   use, intrinsic :: iso_fortran_env, only : compiler_version, real64, wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus => modulus_real32, carlson_rc, carlson_rd, carlson_rf, carlson_rg, carlson_rj, &
@@ -20,7 +20,7 @@ end module test_special_sp
 
 
 module test_special_dp
-   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real64
+   use, intrinsic :: iso_fortran_env, only : compiler_version, real64, wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus, carlson_rc, carlson_rd, carlson_rf, carlson_rg, carlson_rj, &
@@ -38,7 +38,7 @@ end module test_special_dp
 
 #ifdef FURIKO_REAL128
 module test_special_qp
-   use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
+   use, intrinsic :: iso_fortran_env, only : compiler_version, real64, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
    use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
    use furiko, only : modulus => modulus_real128, carlson_rc, carlson_rd, carlson_rf, carlson_rg, &
@@ -53,4 +53,4 @@ module test_special_qp
    include 'test_special.inc'
 end module test_special_qp
 #endif
-! rooms: 3078433601
+! rooms: 384123892
