@@ -49,4 +49,4 @@ module test_motion_qp
    include 'test_motion.inc'
 end module test_motion_qp
 #endif
-! rooms: 1828233057
+! rooms: 1235818315

@@ -15,6 +15,7 @@ module furiko_motion_sp
    include 'furiko_motion.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_is_within.inc'
 end module furiko_motion_sp
 
 
@@ -31,13 +32,14 @@ module furiko_motion_dp
    include 'furiko_motion.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_is_within.inc'
 end module furiko_motion_dp
 
 
 #ifdef FURIKO_REAL128
 module furiko_motion_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan
+   use furiko_bits_qp, only : head, infinity, is_finite, is_nan, is_within, nan
    use furiko_arctangent_qp, only : arctangents
    use furiko_duplication_qp, only : lanes, rf_of_roots
    use furiko_fold_qp, only : fold
@@ -64,4 +66,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 967190138
+! rooms: 1899317408
