@@ -4,7 +4,8 @@
 module test_motion_sp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real32
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, &
+      ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion => motion_real32, &
       pendulum => pendulum_real32, period_excess, period_ratio
    use test_measurement, only : unpack
@@ -20,7 +21,8 @@ end module test_motion_sp
 module test_motion_dp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, &
+      ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion, pendulum, &
       period_excess, period_ratio
    use test_measurement, only : unpack
@@ -37,7 +39,8 @@ end module test_motion_dp
 module test_motion_qp
    use, intrinsic :: iso_fortran_env, only : compiler_version, wp => real128
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
-   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_set_flag, ieee_usual
+   use, intrinsic :: ieee_exceptions, only : ieee_get_flag, ieee_get_halting_mode, &
+      ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion => motion_real128, &
       pendulum => pendulum_real128, period_excess, period_ratio
    use test_measurement, only : unpack
@@ -49,4 +52,4 @@ module test_motion_qp
    include 'test_motion.inc'
 end module test_motion_qp
 #endif
-! rooms: 1235818315
+! rooms: 1465045795
