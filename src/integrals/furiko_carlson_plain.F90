@@ -35,4 +35,4 @@ module furiko_carlson_plain_dp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_carlson_plain_dp
-! rooms: 1901630028
+! rooms: 3705240424

@@ -41,4 +41,4 @@ module furiko_carlson_words_qp
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
-! rooms: 969910706
+! rooms: 278521024

@@ -24,4 +24,4 @@ module furiko_duplication_plain_dp
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
 end module furiko_duplication_plain_dp
-! rooms: 2765399934
+! rooms: 3731153453

@@ -47,4 +47,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 3837463478
+! rooms: 3639254524

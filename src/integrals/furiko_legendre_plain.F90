@@ -43,4 +43,4 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_legendre_plain_dp
-! rooms: 256987396
+! rooms: 1184502505
