@@ -2,20 +2,6 @@
 #include "../arithmetic/furiko_compiler.inc"
 
 !> Carlson's forms from duplication in words, one at a time or many. Internal.
-module furiko_carlson_words_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
-   use furiko_bits_sp, only : infinity, nan
-   use furiko_edges_sp, only : rc_at_edge, rd_at_edge, rj_at_edge
-   use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
-   implicit none
-   private
-   include 'furiko_carlson_words.inc'
-#include "../arithmetic/furiko_bits.inc"
-   include '../arithmetic/furiko_head.inc'
-   include '../arithmetic/furiko_is_nan.inc'
-end module furiko_carlson_words_sp
-
-
 module furiko_carlson_words_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
@@ -28,6 +14,43 @@ module furiko_carlson_words_dp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_carlson_words_dp
+
+
+module furiko_carlson_words_sp
+   use, intrinsic :: iso_fortran_env, only : real64, wp => real32, ip => int32
+   use furiko_bits_sp, only : infinity, nan
+   use furiko_carlson_words_dp, only : double_rc => rc, double_rd => rd, double_rj => rj
+   use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   implicit none
+   private
+   include 'furiko_carlson_words.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_head.inc'
+   include '../arithmetic/furiko_is_nan.inc'
+
+
+   ! What leaves the range or cancels in single words is nothing special in double precision.
+
+   elemental function rc_at_edge(x, y) result(f)
+      real(wp), intent(in) :: x, y
+      real(wp) :: f
+      f = real(double_rc(real(x, real64), real(y, real64)), wp)
+   end function rc_at_edge
+
+
+   elemental function rd_at_edge(x, y, z) result(f)
+      real(wp), intent(in) :: x, y, z
+      real(wp) :: f
+      f = real(double_rd(real(x, real64), real(y, real64), real(z, real64)), wp)
+   end function rd_at_edge
+
+
+   elemental function rj_at_edge(x, y, z, p) result(f)
+      real(wp), intent(in) :: x, y, z, p
+      real(wp) :: f
+      f = real(double_rj(real(x, real64), real(y, real64), real(z, real64), real(p, real64)), wp)
+   end function rj_at_edge
+end module furiko_carlson_words_sp
 
 
 #ifdef FURIKO_REAL128
