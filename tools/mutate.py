@@ -28,6 +28,8 @@ import threading
 import time
 import traceback
 
+import make_order
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "build/mutate"
 EQUIVALENT = ROOT / "tools/mutants-equivalent.txt"
@@ -202,7 +204,6 @@ def known_equivalent():
 # ----------------------------------------------------------------------------------------- the build
 
 INCLUDE = re.compile(r"^\s*#?\s*include\s+['\"]([^'\"]+)['\"]", re.M | re.I)
-MODULE = re.compile(r"^\s*module (?!procedure\b|subroutine\b|function\b)(\w+)", re.M)
 USE = re.compile(r"^\s*use (\w+)", re.M)
 
 
@@ -266,27 +267,6 @@ def run(command, folder):
     if done.returncode:
         errors = [row for row in done.stderr.split("\n") if "rror" in row or "undefined" in row]
         raise Failure(errors[0].strip()[:120] if errors else done.stderr[-120:])
-
-
-def units():
-    """Sources in an order to compile them in: test-drive's stand-in, library, program, tests"""
-    paths = ["tools/test-drive/src/testdrive.f90"]
-    paths += (ROOT / "src/order").read_text().split()
-    for folder in "app", "test":
-        files = [str(f.relative_to(ROOT)) for f in sorted((ROOT / folder).glob("*.[fF]90"))]
-        texts = {path: (ROOT / path).read_text() for path in files}
-        home = {name: path for path, text in texts.items() for name in MODULE.findall(text)}
-
-        def place(path):
-            for name in USE.findall(texts[path]):
-                if home.get(name, path) != path:
-                    place(home[name])
-            if path not in paths:
-                paths.append(path)
-
-        for path in files:
-            place(path)
-    return paths
 
 
 # ----------------------------------------------------------------------------------------- the tests
@@ -513,7 +493,7 @@ def main():
                   and (fault.path, fault.new.strip()) not in reasons)]
     name = hashlib.sha256(str(ROOT).encode()).hexdigest()[:8]
     scratch = pathlib.Path(options.scratch or f"{tempfile.gettempdir()}/furiko-mutate-{name}")
-    UNITS = units()
+    UNITS = make_order.order("src") + make_order.tests()
     builder, tests = Builder(scratch), Tests()
     slots = [scratch / f"slot-{i}" for i in range(options.jobs)]
     for slot in slots:
