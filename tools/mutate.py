@@ -34,7 +34,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "build/mutate"
 EQUIVALENT = ROOT / "tools/mutants-equivalent.txt"
 COMPILER = os.environ.get("FPM_FC", "gfortran")
-FLAGS = os.environ.get("MUTATE_FLAGS", "-O1").split()
+FLAGS = os.environ.get("MUTATE_FLAGS", "-O1 -fcheck=bounds").split()
 LIBRARIES = ["-lgsl", "-lgslcblas"]
 
 # ---------------------------------------------------------------------------------------- the faults
