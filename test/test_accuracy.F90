@@ -3,7 +3,8 @@
 
 module test_accuracy_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_halting_mode
+   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_flag, &
+      ieee_set_halting_mode
    use test_by_name_sp, only : value_at, values_at, yardstick
    use test_measurement, only : add_points, measurement, name_length, unpack
    use test_program, only : test_folder
@@ -16,7 +17,8 @@ end module test_accuracy_sp
 
 module test_accuracy_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_halting_mode
+   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_flag, &
+      ieee_set_halting_mode
    use test_by_name_dp, only : value_at, values_at, yardstick
    use test_measurement, only : add_points, measurement, name_length, unpack
    use test_program, only : test_folder
@@ -30,7 +32,8 @@ end module test_accuracy_dp
 #ifdef FURIKO_REAL128
 module test_accuracy_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_halting_mode
+   use, intrinsic :: ieee_exceptions, only : ieee_get_halting_mode, ieee_overflow, ieee_set_flag, &
+      ieee_set_halting_mode
    use test_by_name_qp, only : value_at, values_at, yardstick
    use test_measurement, only : add_points, measurement, name_length, unpack
    use test_program, only : test_folder
@@ -504,4 +507,4 @@ contains
    end function decimals
 
 end module test_accuracy
-! rooms: 133753987
+! rooms: 2698081537
