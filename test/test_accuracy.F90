@@ -71,8 +71,8 @@ module test_accuracy
       'jacobi_complex', 'motion', 'motion_tension', 'motion_phase', 'motion_time', 'motion_slack']
 
 
-   !> A bound in what the family is measured in, per kind, for all forms of a family; in one regime, or in all. Arrays may have
-   !> bounds of their own.
+   !> A bound in what the family is measured in, per kind, for all of its forms; in one regime, or in
+   !> all. Arrays may have bounds of their own.
    type :: promise
       character(len=name_length) :: family
       character(len=16) :: regime
@@ -455,17 +455,17 @@ contains
          'Other families are counted in epsilon:', '', &
          '- `complex_sn_re` and so on, real and imaginary part of a Jacobi function of complex u: of the', &
          '  absolute value of the function;', &
-         '- `motion_angle`: of a radian, of the amplitude where that is less, of a quarter of the angle where', &
-         '  turns have piled up;', &
+         '- `motion_angle`: of a radian, of the amplitude where that is less, of a quarter of the angle', &
+         '  where turns have piled up;', &
          '- `motion_rate`: of the largest rate, were it at the bottom; `motion_tension`: of 1 or 4 k^2;', &
          '- `motion_phase`: of a period; `motion_time_to`: of the time and of 1/64 of a period together;', &
          '- `motion_slack_time`, the time to the slack angle as rounded: of the time and of the angle over', &
          '  the rate together.', '', &
-         'Regimes by the name of `subnormal` have results, or arguments, below the normal numbers. Their ulp', &
-         'is the smallest number there is, and no number says what of it is missing: 0 is correct rounding, 1', &
-         'is not. In those by the name of `overflow` some values are beyond the largest number, and infinity is', &
-         'what is right. `agm_steps_kn` and `_en` are K and E after so many steps, their second argument;', &
-         'that of series and trapezoidal rules is the number of terms or subintervals.', '', &
+         'Regimes by the name of `subnormal` have results, or arguments, below the normal numbers. Their', &
+         'ulp is the smallest number there is, and no number says what of it is missing: 0 is correct', &
+         'rounding, 1 is not. In those by the name of `overflow` some values are beyond the largest,', &
+         'and infinity is what is right. `agm_steps_kn` and `_en` are K and E after so many steps, their', &
+         'second argument; that of series and trapezoidal rules is the number of terms or subintervals.', '', &
          'The largest error of each family, over all forms and regimes but those listed by themselves,', &
          'and behind it that of the same points in one array.', '', &
          '| family | regime | real32 | array | real64 | array | real128 | array |', &
