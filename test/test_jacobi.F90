@@ -76,4 +76,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 1444236706
+! rooms: 65887390

@@ -37,4 +37,4 @@ module test_ulp
    private
    public :: ulps
 end module test_ulp
-! rooms: 4126852132
+! rooms: 2097068212

@@ -8,7 +8,8 @@ pi/2, n = -1e300), the point is computed anew with twice the bits. 42 digits are
 
 A row: kind, form of the argument, regime, arguments, then hi and lo of each value. An argument is
 a number of its kind, printed so that reading gives it back; a value is hi + lo, hi the number of
-the kind next to it and lo the rest, so that a test needs no wider kind to see a hundredth ulp.
+the kind next to it and lo the rest, so that a test needs no wider kind to see a hundredth ulp. Where
+the value is beyond the largest number, which stands for infinity, both are that number.
 
     make_references.py              write all files (minutes)
     make_references.py NAME...      write these (complete, table, ...)
@@ -23,30 +24,32 @@ import flint
 import mpmath as mp
 from flint import arb
 
+import reference_classics
 import reference_integrals
 import reference_jacobi
 import reference_motion
 from reference_integrals import KINDS, Dice
 
 HERE = pathlib.Path(__file__).parent
-TOPICS = reference_integrals.TOPICS | reference_jacobi.TOPICS | reference_motion.TOPICS
+TOPICS = (reference_integrals.TOPICS | reference_jacobi.TOPICS | reference_motion.TOPICS
+          | reference_classics.TOPICS)
 POINTS = {"real32": 400, "real64": 2000, "real128": 400}  # at least, in each regime of a function
 # Of these, a form's share where it is not one over the number of forms.
-SHARES = {"carlson": 1} | reference_jacobi.SHARES | reference_motion.SHARES
+SHARES = ({"carlson": 1, "agm": 16} | reference_jacobi.SHARES | reference_motion.SHARES
+          | reference_classics.SHARES)
 KEPT = 140  # bits of a value, 42 digits
 mp.mp.dps = 150
 
 
-def proven(topic, form, arguments):
+def proven(topic, regime, form, arguments):
     """The values to KEPT bits and some more, or None where they are not finite real numbers."""
-    function, most = TOPICS[topic][1], reference_jacobi.MOST_BITS.get(topic, 8192)
+    function = TOPICS[topic][1]
+    most = 65536 if topic in reference_jacobi.FAR or regime in ("subnormal", "overflow") else 8192
     for flint.ctx.prec in (256 << n for n in range(9) if 256 << n <= most):
         values = function(form, *map(arb, arguments))
         if all(value.is_finite() and value.rel_accuracy_bits() > KEPT + 20 for value in values):
             return [mp.mpf(tuple(map(int, v.mid().man_exp()))) for v in values]
     return None
-
-
 
 
 def rounded(x, bits):
@@ -58,16 +61,47 @@ def exact(x, figures):
     return mp.nstr(x, figures, min_fixed=1, max_fixed=0)
 
 
+def nearest(x, kind):
+    """The number of the kind next to x, which may be subnormal."""
+    bits, _, lowest = KINDS[kind]
+    if abs(x) >= mp.mpf(2) ** lowest:
+        return rounded(x, bits)
+    unit = mp.mpf(2) ** (lowest - bits + 1)
+    return mp.nint(x / unit) * unit
+
+
+def huge(kind):
+    bits, _, lowest = KINDS[kind]
+    return (2 - mp.mpf(2) ** (1 - bits)) * mp.mpf(2) ** (1 - lowest)
+
+
 def normal(x, kind):
     """Neither overflow nor underflow."""
     bits, _, lowest = KINDS[kind]
     return mp.mpf(2) ** lowest <= abs(x) < (2 - mp.mpf(2) ** -bits) * mp.mpf(2) ** (1 - lowest)
 
 
+def overflows(x, kind):
+    """For certain, whatever the last digits are."""
+    return abs(x) > huge(kind) * (1 + mp.mpf(2) ** -18)
+
+
 def columns(x, kind):
     bits, figures, _ = KINDS[kind]
-    hi = rounded(x, bits)
+    if overflows(x, kind):
+        return 2 * (exact(mp.sign(x) * huge(kind), figures),)
+    hi = nearest(x, kind)
     return exact(hi, figures), exact(rounded(x, KEPT) - hi, max(8, 42 - figures))
+
+
+def wanted(values, kind, regime):
+    """Normal numbers; as said where the regime is about others, and some of these are there."""
+    if regime == "subnormal":
+        return all(normal(x, kind) or abs(x) < 1 for x in values)
+    if regime == "overflow":
+        return (all(normal(x, kind) or abs(x) < 1 or overflows(x, kind) for x in values)
+                and any(overflows(x, kind) for x in values))
+    return all(normal(x, kind) for x in values)
 
 
 def row(kind, form, regime, arguments, values):
@@ -82,14 +116,25 @@ def rows(topic, kind, regime, form, count):
     dice = Dice(kind, f"{topic} {regime} {form}")
     seen = set()
     while len(seen) < count:
-        arguments = tuple(rounded(x, KINDS[kind][0]) for x in draw(dice, regime, form))
-        allowed = regime == "subnormal" or all(x == 0 or normal(x, kind) for x in arguments)
+        arguments = tuple(nearest(x, kind) for x in draw(dice, regime, form))
+        allowed = (regime in ("subnormal", "overflow") and all(abs(x) <= huge(kind) for x in arguments)
+                   or all(x == 0 or normal(x, kind) for x in arguments))
         if arguments in seen or not allowed:
             continue
-        values = proven(topic, form, arguments)
-        if values and all(normal(value, kind) for value in values):
+        values = proven(topic, regime, form, arguments)
+        if values and wanted(values, kind, regime):
             yield row(kind, form, regime, arguments, values)
             seen.add(arguments)
+
+
+def thinning(topic, regime):
+    """Rare regimes have a part of the points; not the amplitude of the smallest excess, which takes no
+    time."""
+    if topic == "amplitude":
+        return 1
+    part = reference_integrals.RARE.get(regime, 1)
+    # each of Carlson's forms has all points of a regime
+    return 4 * part if topic == "carlson" and part == 8 else part
 
 
 def lines(topic):
@@ -99,7 +144,7 @@ def lines(topic):
     for kind in KINDS:
         for regime, forms in regimes.items():
             forms = forms.split()
-            shares = SHARES.get(topic, len(forms)) * (4 if regime in reference_integrals.RARE else 1)
+            shares = SHARES.get(topic, len(forms)) * thinning(topic, regime)
             for form in forms:
                 yield from rows(topic, kind, regime, form, -(-POINTS[kind] // shares))
 
@@ -120,8 +165,8 @@ def check(topic, step):
         kind, form, regime, *texts = line.split()
         _, _, draw, _ = TOPICS[topic]
         count = len(draw(Dice(kind, ""), regime, form))
-        arguments = [rounded(mp.mpf(text), KINDS[kind][0]) for text in texts[:count]]
-        values = proven(topic, form, arguments)
+        arguments = [nearest(mp.mpf(text), kind) for text in texts[:count]]
+        values = proven(topic, regime, form, arguments)
         if not values or row(kind, form, regime, arguments, values) != line:
             print("wrong:", topic, line, end="")
             wrong += 1

@@ -209,6 +209,11 @@ def edge_modulus(dice, form, phi):
     return {"k": mp.sqrt(m), "m": m, "mc": 1 - m}[form]
 
 
+def subnormal(dice):
+    """A number below the normal ones, or just above."""
+    return dice.power(dice.lowest - dice.bits + 1, dice.lowest + 1)
+
+
 def edge_angle(dice):
     phi = dice.pick(quarter(dice), dice.power(-20, 0), mp.pi / 2 - dice.power(-20, -1))
     return rounded_to(dice.bits, phi)
@@ -250,6 +255,13 @@ def incomplete_arguments(dice, regime, form):
     if regime == "edge":
         phi = edge_angle(dice)
         return [phi, edge_modulus(dice, form, phi)]
+    if regime == "subnormal":  # phi, or its cube
+        phi = dice.sign() * dice.pick(subnormal(dice), mp.cbrt(subnormal(dice)))
+        return [phi, any_modulus(dice, form)]
+    if regime == "overflow":  # each period adds 2 K or so
+        x = negative_modulus(dice, form) if form != "k" and dice.pick(True, False) else modulus(
+            dice, "towards-1", form)
+        return [dice.sign() * dice.power(-dice.lowest - 8, 1 - dice.lowest), x]
     return [dice.power(mp.mpf(dice.lowest) / 3 + 1, -4), modulus(dice, "towards-0", form)]
 
 
@@ -281,6 +293,9 @@ def third_kind_arguments(dice, regime, form):
     if regime == "spread":  # over the whole range
         n = dice.sign() * dice.power(-dice.lowest / 4, -dice.lowest)
         return [n, dice.pick(x, dice.tiny() if form == "mc" else 1 - dice.gap())]
+    if regime == "subnormal":  # -(m/n) D or so
+        n = dice.power(-dice.lowest - 20, -dice.lowest)
+        return [n, dice.pick(x, dice.power(-20, 0) * x) if form != "mc" else 1 - dice.gap()]
     n = dice.pick(dice.uniform(-1, 1), negative_n(dice), principal_n(dice))
     return [n, negative_modulus(dice, form)]
 
@@ -306,6 +321,9 @@ def third_kind_incomplete_arguments(dice, regime, form):
     if regime == "tiny":
         phi = dice.power(dice.lowest, -4)
         return [dice.sign() * dice.tiny(), phi, modulus(dice, "towards-0", form)]
+    if regime == "subnormal":
+        n = dice.sign() * dice.pick(dice.uniform(0, 2), dice.huge(), dice.tiny())
+        return [n, dice.sign() * subnormal(dice), any_modulus(dice, form)]
     n, x = third_kind_arguments(dice, regime, form)
     return [n, quarter(dice), x]
 
@@ -324,6 +342,11 @@ def extreme(dice, form, count):
 
 def carlson_arguments(dice, regime, form):
     count = CARLSON[form]
+    if regime == "subnormal":  # some of the arguments, or all
+        return [dice.pick(subnormal(dice), subnormal(dice), dice.uniform(), dice.tiny(), dice.huge())
+                for _ in range(count)]
+    if regime == "overflow":  # RD and RJ as the power -3/2
+        return [dice.power(dice.lowest - dice.bits + 1, mp.mpf(2) / 3 * dice.lowest) for _ in range(count)]
     decades = mp.log(10, 2) * 30
     if regime == "extreme":
         return extreme(dice, form, count)
@@ -349,6 +372,28 @@ def carlson_arguments(dice, regime, form):
     return values
 
 
+def mean(_, a, b):
+    """Arithmetic-geometric mean of two numbers of one sign."""
+    return [-(-a).agm(-b) if a < 0 else a.agm(b)]
+
+
+def mean_arguments(dice, regime, _):
+    if regime == "spread":
+        a, b = (dice.power(dice.lowest, -dice.lowest) for _ in range(2))
+    elif regime == "subnormal":
+        a, b = subnormal(dice), dice.pick(subnormal(dice), subnormal(dice), dice.uniform(), dice.huge())
+    elif regime == "close":
+        a = dice.power(-10, 10)
+        b = a * (1 + dice.sign() * dice.gap())
+    elif regime == "largest":
+        a, b = (dice.power(-dice.lowest - 9, 1 - dice.lowest) for _ in range(2))
+    else:
+        a, b = dice.uniform(), dice.uniform()
+    a, b = dice.pick((a, b), (b, a))
+    sign = dice.pick(1, 1, -1)
+    return [sign * a, sign * b]
+
+
 def period_arguments(dice, regime, _):
     if regime == "uniform":
         return [dice.uniform(-mp.pi, mp.pi)]
@@ -366,22 +411,26 @@ TOPICS = {
         "negative": BOTH, "far-negative": BOTH, "boundaries": BOTH}),
     "incomplete": ("ellipf ellipeinc ellipdinc", incomplete, incomplete_arguments, {
         "uniform": ALL, "multiples": ALL, "any-phi": ALL, "huge-phi": ALL,
-        "negative-m": BOTH, "above-1": ALL, "tiny": ALL, "edge": ALL}),
+        "negative-m": BOTH, "above-1": ALL, "tiny": ALL, "edge": ALL, "subnormal": ALL,
+        "overflow": ALL}),
     "third_kind": ("ellippi", third_kind, third_kind_arguments, {
         "uniform": ALL, "negative-n": ALL, "towards-1": ALL,
-        "principal": ALL, "near-m": ALL, "negative-m": BOTH, "spread": ALL}),
+        "principal": ALL, "near-m": ALL, "negative-m": BOTH, "spread": ALL, "subnormal": ALL}),
     "third_kind_incomplete": (
         "ellippiinc", third_kind_incomplete, third_kind_incomplete_arguments, {
             "uniform": ALL, "negative-n": ALL, "towards-1": ALL, "principal": ALL, "near-m": ALL,
             "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL,
-            "pole": ALL, "edge": ALL}),
+            "pole": ALL, "edge": ALL, "subnormal": ALL}),
     "carlson": ("carlson", carlson, carlson_arguments, {
         "uniform": "rf rc rd rj rg", "wide": "rf rc rd rj rg", "extreme": "rf rc rd rj rg",
         "zeros": "rf rc rd rj rg", "principal": "rc rj", "close": "rf rc rd rj rg",
-        "spread": "rf rc rd rj rg", "spread-principal": "rc rj"}),
+        "spread": "rf rc rd rj rg", "spread-principal": "rc rj", "subnormal": "rf rc rd rj rg",
+        "overflow": "rd rj"}),
+    "agm": ("function", mean, mean_arguments, {
+        "uniform": "agm", "close": "agm", "spread": "agm", "largest": "agm", "subnormal": "agm"}),
     "period": ("period", period, period_arguments, {
         "uniform": "ratio", "towards-pi": "ratio", "tiny": "ratio"}),
 }
 
-# Regimes of a quarter of the points: the long way round takes its time
-RARE = {"edge", "pole", "spread", "spread-principal"}
+# One point of so many: the long way round takes its time
+RARE = {"edge": 4, "pole": 4, "spread": 4, "spread-principal": 4, "subnormal": 8, "overflow": 8}

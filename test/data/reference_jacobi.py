@@ -11,7 +11,7 @@ from flint import acb, arb
 
 from reference_integrals import (
     ALL, BOTH, NAN, any_modulus, complete, huge_phi, incomplete, m_and_mc, modulus,
-    negative_modulus, next_to_multiple, quarter, rd, reduced, rf)
+    negative_modulus, next_to_multiple, quarter, rd, reduced, rf, subnormal)
 
 
 # The functions, on balls.
@@ -275,6 +275,8 @@ def jacobi_arguments(dice, regime, form):
         return [dice.sign() * dice.power(20, 50), any_modulus(dice, form)]
     if regime == "tiny-u":
         return [dice.sign() * dice.power(dice.lowest, -10), any_modulus(dice, form)]
+    if regime == "subnormal":
+        return [dice.sign() * subnormal(dice), any_modulus(dice, form)]
     if regime == "uniform":
         return periods(dice, form, modulus(dice, regime, form), "within")
     if regime in ("multiples", "huge-multiples"):
@@ -290,6 +292,13 @@ def jacobi_arguments(dice, regime, form):
     return periods(dice, form, x, "within", "far", "multiples")
 
 
+def quotient_arguments(dice, regime, form):
+    if regime in ("subnormal", "overflow"):  # u about 1/huge, or below
+        least = dice.lowest - (2 if regime == "subnormal" else dice.bits - 1)
+        return [dice.sign() * dice.power(least, least + dice.pick(1, 3)), any_modulus(dice, form)]
+    return jacobi_arguments(dice, regime, form)
+
+
 def modulus_of(form, m, mc):
     return {"k": mp.sqrt(abs(m)), "m": m, "mc": mc}[form]
 
@@ -302,6 +311,11 @@ def edge_arguments(dice, regime, form):
     if regime == "any-exponent":
         x = dice.pick(any_modulus, above_1, any_modulus if form == "k" else negative_modulus)
         return [dice.sign() * dice.power(20, -dice.lowest), x(dice, form)]
+    if regime == "overflow":  # am grows like u sqrt(-m), epsilon like -u m
+        power = dice.uniform(1, -dice.lowest)
+        rest = dice.uniform(-dice.lowest - power / 2, 40 - dice.lowest) - power / 2
+        m = -mp.mpf(2) ** power
+        return [dice.sign() * mp.mpf(2) ** min(rest, -dice.lowest), m if form == "m" else -m]
     m = dice.power(20, (-2 if form == "k" else -1) * dice.lowest)
     m *= 1 if form == "k" else dice.sign()
     return periods(dice, form, modulus_of(form, m, -m), "within", "multiples")
@@ -351,9 +365,25 @@ def next_to_end(dice, end, other):
     return end + (end if other == mp.inf else other - end) * dice.gap()
 
 
+def at_the_edge(dice, form):
+    """A modulus of any kind, those of far ends among them."""
+    return dice.pick(any_modulus, negative_modulus if form != "k" else any_modulus, above_1)(dice, form)
+
+
+def inside(dice, end, other):
+    """Next to an end, down to the last number that is inside, or to the last of all numbers."""
+    if end == 0:
+        return dice.power(dice.lowest, -2)
+    if end == mp.inf:
+        return dice.power(2, -dice.lowest)
+    return end * (1 + (1 if other > end else -1) * dice.power(-dice.bits - 1, -3))
+
+
 def inverse_arguments(dice, regime, form):
     p, q, form = form[3], form[4], form[6:]
-    if regime == "negative-m":
+    if regime == "edge":
+        x = at_the_edge(dice, form)
+    elif regime == "negative-m":
         x = negative_modulus(dice, form)
     elif regime == "above-1":
         x = above_1(dice, form)
@@ -362,11 +392,13 @@ def inverse_arguments(dice, regime, form):
     with mp.workprec(dice.bits):
         x = +x
     ends = range_ends(p, q, *m_and_mc(form, x))
-    if regime == "ends" or dice.pick(True, False, False):
+    if regime == "edge":
+        value = inside(dice, *dice.pick(ends, ends[::-1]))
+    elif regime == "ends" or dice.pick(True, False, False):
         value = next_to_end(dice, *dice.pick(ends, ends[::-1]))
     else:
         value = between(dice, *ends)
-    return [dice.sign() * value if p == "s" or (p == "c" and regime != "above-1") else value, x]
+    return [dice.sign() * value if p == "s" or (p == "c" and m_and_mc(form, x)[0] <= 1) else value, x]
 
 
 def nome_arguments(dice, regime, form):
@@ -443,7 +475,7 @@ def inverse_regimes(names):
     every = inverses_of(names)
     both = " ".join(form for form in every.split() if not form.endswith("_k"))
     wide = inverses_of(name for name in names if name not in ("dn", "nd"))
-    return {"uniform": every, "ends": every, "towards-0": wide, "towards-1": every,
+    return {"uniform": every, "ends": every, "edge": every, "towards-0": wide, "towards-1": every,
             "negative-m": both}
 
 
@@ -454,16 +486,16 @@ TOPICS = {
         "jacobi_sn jacobi_cn jacobi_dn jacobi_am jacobi_epsilon", jacobi, jacobi_arguments, {
             "uniform": ALL, "multiples": ALL, "any-u": ALL, "huge-u": ALL, "huge-multiples": ALL,
             "tiny-u": ALL, "towards-0": ALL, "towards-1": ALL, "tiny-mc": "mc",
-            "negative-m": BOTH, "above-1": ALL}),
+            "negative-m": BOTH, "above-1": ALL, "subnormal": ALL}),
     "jacobi_edges": (
         "jacobi_sn jacobi_cn jacobi_dn jacobi_am jacobi_epsilon", jacobi, edge_arguments, {
-            "just-above-1": ALL, "any-exponent": ALL, "huge-modulus": ALL}),
+            "just-above-1": ALL, "any-exponent": ALL, "huge-modulus": ALL, "overflow": BOTH}),
     "jacobi_quotients": (
-        " ".join(f"jacobi_{name}" for name in QUOTIENTS), jacobi_quotients, jacobi_arguments, {
+        " ".join(f"jacobi_{name}" for name in QUOTIENTS), jacobi_quotients, quotient_arguments, {
             "uniform": ALL, "multiples": ALL, "any-u": ALL, "towards-1": ALL, "tiny-mc": "mc",
-            "negative-m": BOTH, "above-1": ALL}),
+            "negative-m": BOTH, "above-1": ALL, "subnormal": ALL, "overflow": ALL}),
     "jacobi_complex": (
-        "jacobi_sn_re jacobi_sn_im jacobi_cn_re jacobi_cn_im jacobi_dn_re jacobi_dn_im",
+        "complex_sn_re complex_sn_im complex_cn_re complex_cn_im complex_dn_re complex_dn_im",
         jacobi_complex, complex_arguments, {
             "uniform": ALL, "towards-1": ALL, "poles": ALL, "negative-m": BOTH,
             "tiny-negative-m": "m", "tiny-m": "k m"}),
@@ -492,5 +524,5 @@ TOPICS = {
 # What part of the usual number of points a form has.
 SHARES = {"jacobi_edges": 10, "jacobi_quotients": 20, "jacobi_complex": 8, "jacobi_inverse": 4,
           "jacobi_inverse_quotients": 20, "theta": 4}
-# Most bits it takes to prove a value; a huge u has as many before the point.
-MOST_BITS = {"jacobi_edges": 65536}
+# A huge u has many bits before the point.
+FAR = {"jacobi_edges"}

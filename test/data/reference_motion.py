@@ -2,13 +2,14 @@
 """The pendulum's references, in the manner of reference_integrals.py.
 
 A motion is carried from its state at the time 0 by the addition theorems of sn, cn, dn, DLMF
-22.8.1-3, so that no integral of the first kind is needed: only functions of the time that passed.
+22.8.1-3, so that no integral of the first kind is needed: only functions of the time that passed. The
+phase and the times at which something happens are such integrals.
 """
 import mpmath as mp
 from flint import arb
 
-from reference_integrals import NAN, reduced
-from reference_jacobi import from_mean, jacobi_values, reduced_jacobi
+from reference_integrals import NAN, reduced, rf, subnormal
+from reference_jacobi import from_mean, jacobi_values, quarter_period, reduced_jacobi
 
 
 # The functions, on balls.
@@ -66,6 +67,97 @@ def motion(form, length, gravity, angle, rate, time):
         value = NAN, NAN
     x, v = (-value[0], -value[1]) if rate < 0 else value
     return [x + 2 * turns * arb.pi(), v]
+
+
+def tension(form, length, gravity, angle, rate, time):
+    """The rod's pull over the weight."""
+    angle, rate = motion(form, length, gravity, angle, rate, time)
+    return [angle.cos() + rate * rate * length / gravity]
+
+
+class Start:
+    """The state at the time 0, mirrored where needed so that the rate is not negative."""
+
+    def __init__(self, form, length, gravity, angle, rate):
+        self.omega = (gravity / length).sqrt()
+        if form == "swinging":
+            rate, angle = 2 * self.omega * (angle / 2).sin(), arb(0)
+        self.sign = -1 if rate < 0 else 1
+        self.turns, s, self.c = reduced(angle / 2)
+        self.s, self.r = self.sign * s, self.sign * rate / (2 * self.omega)
+        self.k = (self.s * self.s + self.r * self.r).sqrt()
+        self.gap = (self.c - self.r) * (self.c + self.r)
+        self.librates = bool(self.gap > 0)
+        if self.librates:
+            self.speed, self.cycle = self.omega, 4 * quarter_period(self.gap)
+        else:
+            self.speed = self.k * self.omega
+            self.cycle = 2 * quarter_period(-self.gap / self.k**2)
+        self.u = self.u_at(self.s, self.c, self.r)
+
+    def u_at(self, s, c, r):
+        """u = F on the way up, where the sine of half the angle is s, the cosine c: DLMF 19.25.5."""
+        if self.librates:
+            return s * rf(r * r, (self.k * c) ** 2, self.k**2)
+        return s * rf(c * c, (r / self.k) ** 2, 1)
+
+    def wait(self, u):
+        """The time until u comes by, or in a libration a whole number of periods before."""
+        way = u - self.u
+        if self.librates:
+            way -= (way / self.cycle).floor() * self.cycle
+        return way / self.speed if way > 0 else NAN
+
+
+def phase(form, length, gravity, angle, rate, time):
+    """The part of the period since the bottom was passed as at the start."""
+    start = Start(form, length, gravity, angle, rate)
+    if start.gap.contains(0):
+        return [NAN]
+    periods = (start.u + start.speed * time) / start.cycle
+    return [periods - periods.floor()]
+
+
+def least(x, y):
+    if x < y:
+        return x
+    return y if y < x else NAN
+
+
+def time_to(form, length, gravity, angle, rate, target):
+    """When an angle is reached first."""
+    start = Start(form, length, gravity, angle, rate)
+    turns, s, c = reduced(target / 2)
+    s, turns = start.sign * s, start.sign * (turns - start.turns)
+    r2 = c * c - start.gap
+    u = start.u_at(s, c, r2.sqrt() if r2 > 0 else NAN)
+    if start.gap.contains(0):
+        return [NAN]
+    if not start.librates:
+        return [start.wait(u + turns * start.cycle)]
+    if turns != 0:
+        return [NAN]
+    return [least(start.wait(u), start.wait(start.cycle / 2 - u))]
+
+
+def slack(form, length, gravity, angle, rate):
+    """The angle at which a string goes slack first, and when."""
+    start = Start(form, length, gravity, angle, rate)
+    s, c = ((1 + 4 * start.k**2) / 6).sqrt(), ((1 + 4 * start.gap) / 6).sqrt()
+    half = arb.atan2(s, c)
+    beyond = start.s - s
+    if not (start.gap < arb("0.5") and start.gap > arb("-0.25")):
+        return [NAN, NAN]
+    if beyond.contains(0) or start.gap.contains(0):
+        return [NAN, NAN]
+    u = start.u_at(s, c, (c * c - start.gap).sqrt())
+    side, turn = 1, 0
+    if beyond > 0 and start.librates:
+        side, u = -1, u + start.cycle / 2
+    elif beyond > 0:
+        turn, u = 1, u + start.cycle
+    turns = start.turns + start.sign * turn
+    return [2 * (turns * arb.pi() + start.sign * side * half), (u - start.u) / start.speed]
 
 
 def excess(_, amplitude):
@@ -152,11 +244,44 @@ def motion_arguments(dice, regime, form):
     return [length, gravity, angle, rate, time]
 
 
+def target_arguments(dice, regime, form):
+    """A start, and an angle some way from it that the motion will reach."""
+    length, gravity, angle, rate, _ = motion_arguments(dice, regime, form)
+    omega = mp.sqrt(gravity / length)
+    s, c, r = mp.sin(angle / 2), abs(mp.cos(angle / 2)), abs(rate) / (2 * omega)
+    turns = mp.nint(angle / (2 * mp.pi))
+    if c > r or regime == "next-to-separatrix":
+        amplitude = 2 * mp.atan2(mp.sqrt(s * s + r * r), mp.sqrt(max(c * c - r * r, 0)))
+        if form == "swinging":
+            amplitude = angle
+        size = dice.pick(dice.uniform(), 1 - dice.gap(), dice.power(-20, 0))
+        target = 2 * mp.pi * turns * (form == "started") + dice.sign() * size * amplitude
+    else:
+        way = dice.pick(dice.uniform(0, 7), dice.uniform(0, 7), dice.power(3, 10))
+        target = angle + mp.sign(rate) * way
+    near = abs(target - (0 if form == "swinging" else angle))
+    target = target if near > mp.mpf(2) ** (8 - dice.bits) * max(abs(angle), abs(target)) else angle / 3
+    return [length, gravity, angle, rate, target]
+
+
+def slack_arguments(dice, regime, form):
+    """In a rotation from the top's energy to 5/4 of that, beyond which no string is slack."""
+    if regime == "rotation":
+        length, gravity = [mp.mpf(x) for x in pendulum(dice)]
+        angle = dice.uniform(-mp.pi, mp.pi) + 2 * mp.pi * dice.pick(0, 0, dice.integer(-40, 40))
+        k2 = 1 + dice.pick(dice.uniform(0, mp.mpf("0.25")), dice.gap() / 4)
+        rate = dice.sign() * 2 * mp.sqrt(gravity / length * (k2 - mp.sin(angle / 2) ** 2))
+        return [length, gravity, angle, rate]
+    return motion_arguments(dice, regime, form)[:4]
+
+
 def excess_arguments(dice, regime, _):
     if regime == "uniform":
         return [dice.uniform(-mp.pi, mp.pi)]
     if regime == "towards-pi":
         return [dice.sign() * (mp.pi - dice.power(2 - dice.bits, 0))]
+    if regime == "subnormal":  # theta0^2/16
+        return [dice.sign() * 4 * mp.sqrt(subnormal(dice))]
     return [dice.sign() * dice.power(mp.mpf(dice.lowest) / 2 + 4, -3)]
 
 
@@ -177,12 +302,24 @@ def amplitude_arguments(dice, regime, form):
 
 SWINGS, EVERY = "swinging released", "swinging released started"
 TOPICS = {
-    "motion": ("angle rate", motion, motion_arguments, {
+    "motion": ("motion_angle motion_rate", motion, motion_arguments, {
         "uniform": EVERY, "tiny": EVERY, "towards-pi": SWINGS, "turned": "started",
         "next-to-separatrix": "started", "rotation": "started", "separatrix": "started"}),
+    "motion_tension": ("motion_tension", tension, motion_arguments, {
+        "uniform": EVERY, "towards-pi": SWINGS, "turned": "started",
+        "next-to-separatrix": "started", "rotation": "started", "separatrix": "started"}),
+    "motion_phase": ("motion_phase", phase, motion_arguments, {
+        "uniform": EVERY, "tiny": EVERY, "towards-pi": SWINGS, "turned": "started",
+        "next-to-separatrix": "started", "rotation": "started"}),
+    "motion_time": ("motion_time_to", time_to, target_arguments, {
+        "uniform": EVERY, "tiny": EVERY, "towards-pi": SWINGS, "turned": "started",
+        "next-to-separatrix": "started", "rotation": "started"}),
+    "motion_slack": ("motion_slack_angle motion_slack_time", slack, slack_arguments, {
+        "uniform": EVERY, "towards-pi": SWINGS, "next-to-separatrix": "started",
+        "rotation": "started"}),
     "excess": ("period", excess, excess_arguments, {
-        "uniform": "excess", "towards-pi": "excess", "tiny": "excess"}),
+        "uniform": "excess", "towards-pi": "excess", "tiny": "excess", "subnormal": "excess"}),
     "amplitude": ("amplitude_of", amplitude, amplitude_arguments, {
         "uniform": "excess period", "long": "excess period", "tiny": "excess period", "subnormal": "excess"}),
 }
-SHARES = {"motion": 4}
+SHARES = {"motion": 4, "motion_tension": 32, "motion_phase": 32, "motion_time": 32, "motion_slack": 32}
