@@ -4,6 +4,7 @@
 !> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]; or the accuracy report:
 !> fpm test -- report FILE
 program main
+   use, intrinsic :: iso_c_binding, only : c_int
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use test_accuracy, only : collect_accuracy, write_report
    use test_animate, only : collect_animate
@@ -60,6 +61,14 @@ program main
    use testdrive, only : error_type, get_argument, get_variable, new_testsuite, testsuite_type, &
       unittest_type
    implicit none
+   interface
+      !> C's exit: `error stop` prints a backtrace, and `stop` its code and the flags that are raised
+      subroutine c_exit(code) bind(c, name='exit')
+         import :: c_int
+         implicit none
+         integer(c_int), value :: code
+      end subroutine c_exit
+   end interface
    !> What skip_test leaves in an error's stat
    integer, parameter :: skip = 77
    type(testsuite_type), allocatable :: suites(:)
@@ -136,13 +145,10 @@ program main
          call run(tests(j))
       end do
    end do
-   if (passed + failed + skipped == 0) then
-      call list_names()
-      error stop 'no such test'
-   end if
+   if (passed + failed + skipped == 0) call refuse()
 
    write(output_unit, '(3(i0, a))') passed, ' passed, ', failed, ' failed, ', skipped, ' skipped'
-   if (failed > 0) error stop 1
+   if (failed > 0) call fail()
 
 
 contains
@@ -178,18 +184,34 @@ contains
    end subroutine run
 
 
-   !> The names there are: of suites, or of the tests of the suite that was named
-   subroutine list_names()
+   !> Say in a line that there is no such suite, or no such test in it, and which there are, and stop.
+   subroutine refuse()
+      character(len=:), allocatable :: line
+
+      line = 'no suite ' // suite // '; there are'
       do i = 1, size(suites)
-         if (allocated(test)) then
-            if (suites(i)%name /= suite) cycle
-            call suites(i)%collect(tests)
-            write(error_unit, '(2a)') ('  - ', tests(j)%name, j=1, size(tests))
-            return
-         end if
-         write(error_unit, '(2a)') '  - ', suites(i)%name
+         if (suites(i)%name == suite) exit
+         line = line // ' ' // suites(i)%name
       end do
-   end subroutine list_names
+      if (i <= size(suites)) then
+         line = 'no test'
+         if (allocated(test)) line = line // ' ' // test
+         line = line // ' in the suite ' // suite // '; there are'
+         call suites(i)%collect(tests)
+         do j = 1, size(tests)
+            line = line // ' ' // tests(j)%name
+         end do
+      end if
+      write(error_unit, '(2a)') 'test: ', line
+      call fail()
+   end subroutine refuse
+
+
+   subroutine fail()
+      flush(output_unit)
+      flush(error_unit)
+      call c_exit(1_c_int)
+   end subroutine fail
 
 end program main
 ! rooms: 3759241635

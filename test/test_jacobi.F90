@@ -12,6 +12,9 @@ module test_jacobi_sp
       ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
+      jacobi_ns_k, jacobi_cs_k, jacobi_sd_k, jacobi_ds_k, &
+      jacobi_arcsn_k, jacobi_arccn_k, jacobi_arcdn_k, jacobi_arcns_k, jacobi_arcnc_k, jacobi_arcnd_k, &
+      jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
       jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
@@ -37,6 +40,9 @@ module test_jacobi_dp
       ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
+      jacobi_ns_k, jacobi_cs_k, jacobi_sd_k, jacobi_ds_k, &
+      jacobi_arcsn_k, jacobi_arccn_k, jacobi_arcdn_k, jacobi_arcns_k, jacobi_arcnc_k, jacobi_arcnd_k, &
+      jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
       jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
@@ -63,6 +69,9 @@ module test_jacobi_qp
       ellipf_m, &
       ellipk_m, nome_m, theta1, theta2, theta3, theta4, jacobi_zeta_m, &
       jacobi_am_m, jacobi_am_mc, jacobi_k, jacobi_m, jacobi_mc, &
+      jacobi_ns_k, jacobi_cs_k, jacobi_sd_k, jacobi_ds_k, &
+      jacobi_arcsn_k, jacobi_arccn_k, jacobi_arcdn_k, jacobi_arcns_k, jacobi_arcnc_k, jacobi_arcnd_k, &
+      jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
       jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
@@ -76,4 +85,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 65887390
+! rooms: 3818435032

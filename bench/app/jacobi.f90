@@ -10,7 +10,7 @@ program jacobi
    implicit none
    integer, parameter :: points = 10000
    integer, parameter :: repeats = 21
-   integer, parameter :: gsl_varying = 1, gsl_fixed = 6, gsl_motion = 10
+   integer, parameter :: gsl_varying = 1, boost_varying = 2, gsl_fixed = 6, gsl_motion = 10
    character(len=*), parameter :: names(11) = [character(len=44) :: &
       'varying m: GSL elljac', 'varying m: Boost jacobi_elliptic', 'varying m: jacobi_m, scalar', &
       'varying m: jacobi_m, arrays', 'varying m: modulus_from_m, then scalar', &
@@ -41,8 +41,8 @@ program jacobi
    call check_values()
    best = minval(times, 1)
    do i = 1, size(names)
-      print '(3a, 4(f8.1, a))', '| ', names(i), ' | ', best(i), ' | ', median(times(:, i)), ' | ', &
-         best(against(i))/best(i), ' | ', median(times(:, against(i))/times(:, i)), ' |'
+      print '(11a)', '| ', names(i), ' | ', cell(best(i), i), ' | ', cell(median(times(:, i)), i), ' | ', &
+         cell(best(against(i))/best(i), i), ' | ', cell(median(times(:, against(i))/times(:, i)), i), ' |'
    end do
 
 
@@ -124,12 +124,33 @@ contains
       integer :: j
 
       do j = 1, size(names)
-         if (any(abs(values(:, j) - values(:, against(j))) > 1.0e-10_wp)) then
+         if (absent(j)) cycle
+         if (.not. all(abs(values(:, j) - values(:, against(j))) <= 1.0e-10_wp)) then
             write(error_unit, '(2a)') 'bench: other values than GSL: ', names(j)
             error stop 1
          end if
       end do
    end subroutine check_values
+
+
+   !> Boost where it is not installed: its values are NaN
+   function absent(case)
+      integer, intent(in) :: case
+      logical :: absent
+
+      absent = case == boost_varying .and. .not. abs(values(1, case)) <= 2.0_wp
+   end function absent
+
+
+   !> A number of the table; a dash where nothing was computed, whose time means nothing
+   function cell(number, case)
+      real(wp), intent(in) :: number
+      integer, intent(in) :: case
+      character(len=8) :: cell
+
+      write(cell, '(f8.1)') number
+      if (absent(case)) cell = '       -'
+   end function cell
 
 
    pure function median(x)

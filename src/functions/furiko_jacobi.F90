@@ -6,7 +6,7 @@ module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : infinity, is_nan
    use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
-      quadrant
+      quadrant, steep, unscaled
    use furiko_quotients_sp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
       thetas
    use furiko_quotients_many_sp, only : lanes, quotients_many
@@ -21,7 +21,7 @@ module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan
    use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
-      quadrant
+      quadrant, steep, unscaled
    use furiko_quotients_dp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
       thetas
    use furiko_quotients_many_dp, only : lanes, quotients_many
@@ -37,7 +37,7 @@ module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan
    use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, &
-      quadrant
+      quadrant, steep, unscaled
    use furiko_quotients_qp, only : by_k, by_m, by_mc, least_bent, quotients, settle, &
       thetas
    implicit none
@@ -90,4 +90,4 @@ module furiko_jacobi
       jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
       jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
 end module furiko_jacobi
-! rooms: 2498812613
+! rooms: 1953494614

@@ -101,4 +101,4 @@ module furiko_jacobi_inverse
       jacobi_arccd_k, jacobi_arccd_m, jacobi_arccd_mc, &
       jacobi_arcdc_k, jacobi_arcdc_m, jacobi_arcdc_mc
 end module furiko_jacobi_inverse
-! rooms: 2065575763
+! rooms: 2042347099

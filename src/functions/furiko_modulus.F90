@@ -9,7 +9,7 @@ module furiko_modulus_sp
    use furiko_arctangent_sp, only : arctangents
    use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_sp, only : half_pi
-   use furiko_nome_sp, only : nome_k, nome_m, nome_mc
+   use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_sp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
@@ -32,7 +32,7 @@ module furiko_modulus_dp
    use furiko_arctangent_dp, only : arctangents
    use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_dp, only : half_pi
-   use furiko_nome_dp, only : nome_k, nome_m, nome_mc
+   use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_dp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
@@ -56,7 +56,7 @@ module furiko_modulus_qp
    use furiko_arctangent_qp, only : arctangents
    use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_qp, only : half_pi
-   use furiko_nome_qp, only : nome_k, nome_m, nome_mc
+   use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_qp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
@@ -88,4 +88,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 2377902538
+! rooms: 1634845232

@@ -54,4 +54,4 @@ module furiko_nome
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 end module furiko_nome
-! rooms: 3234682926
+! rooms: 4272797220
