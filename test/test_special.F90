@@ -53,4 +53,4 @@ module test_special_qp
    include 'test_special.inc'
 end module test_special_qp
 #endif
-! rooms: 1320598484
+! rooms: 300774453
