@@ -102,7 +102,7 @@ contains
       if (file == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
       call check_text('-o', file)
       call check_text('--title', title)
-      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
+      if (.not. is_xml(title)) call reject('--title is not UTF-8, or has a character that no XML may hold')
       if (.not. is_picture_name(file)) then
          call reject("-o '" // file // "' does not end in .svg, .png or .pdf")
       end if
@@ -125,14 +125,11 @@ contains
 
       if (list /= '' .and. chosen%most == 0) call reject(trim(chosen%name) // ' takes no --amplitude')
       if (list /= '') then
-         amplitudes = amplitudes_of(list)
+         amplitudes = amplitudes_of(chosen, list)
       else if (chosen%amplitudes /= '') then
-         amplitudes = amplitudes_of(trim(chosen%amplitudes))
+         amplitudes = amplitudes_of(chosen, trim(chosen%amplitudes))
       else
          allocate(amplitudes(0))
-      end if
-      if (size(amplitudes) > chosen%most) then
-         call reject(trim(chosen%name) // ' has no room for so many amplitudes')
       end if
       call begin_picture(file, extent(1), extent(2), place)
 
@@ -202,14 +199,21 @@ contains
 
 
    !> The amplitudes of a list with commas between.
-   recursive function amplitudes_of(list) result(amplitudes)
+   function amplitudes_of(chosen, list) result(amplitudes)
+      type(entry), intent(in) :: chosen
       character(len=*), intent(in) :: list
       type(amplitude), allocatable :: amplitudes(:)
-      integer :: comma
+      integer :: comma, from, i
 
-      comma = index(list // ',', ',')
-      amplitudes = [amplitude_of(list(:comma - 1))]
-      if (comma <= len(list)) amplitudes = [amplitudes, amplitudes_of(list(comma + 1:))]
+      allocate(amplitudes(count([(list(i:i) == ',', i=1, len(list))]) + 1))
+      if (size(amplitudes) > chosen%most) call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      from = 1
+      do i = 1, size(amplitudes)
+         comma = index(list(from:), ',')
+         if (comma == 0) comma = len(list) - from + 2
+         amplitudes(i) = amplitude_of(list(from:from + comma - 2))
+         from = from + comma
+      end do
    end function amplitudes_of
 
 
@@ -248,13 +252,15 @@ contains
 
 
    !> Whether every lead byte has its continuation bytes, and the shortest form of a character that
-   !> there is (Unicode, table 3-7): an SVG file may hold nothing else.
-   pure function is_utf8(text)
+   !> there is (Unicode, table 3-7), other than U+FFFE and U+FFFF: an SVG file may hold nothing else.
+   pure function is_xml(text)
       character(len=*), intent(in) :: text
-      logical :: is_utf8
+      logical :: is_xml
+      character(len=*), parameter :: before_last = achar(239) // achar(191)
       integer :: byte, expected, i, least, most
 
-      is_utf8 = .false.
+      is_xml = .false.
+      if (index(text, before_last // achar(190)) + index(text, before_last // achar(191)) > 0) return
       expected = 0
       least = 128
       most = 191
@@ -284,8 +290,8 @@ contains
             end select
          end if
       end do
-      is_utf8 = expected == 0
-   end function is_utf8
+      is_xml = expected == 0
+   end function is_xml
 
 
    subroutine reject(message)
