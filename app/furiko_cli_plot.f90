@@ -102,7 +102,8 @@ contains
       if (file == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
       call check_text('-o', file)
       call check_text('--title', title)
-      if (.not. is_xml(title)) call reject('--title is not UTF-8, or has a character that no XML may hold')
+      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
+      if (has_noncharacter(title)) call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
       if (.not. is_picture_name(file)) then
          call reject("-o '" // file // "' does not end in .svg, .png or .pdf")
       end if
@@ -252,15 +253,13 @@ contains
 
 
    !> Whether every lead byte has its continuation bytes, and the shortest form of a character that
-   !> there is (Unicode, table 3-7), other than U+FFFE and U+FFFF: an SVG file may hold nothing else.
-   pure function is_xml(text)
+   !> there is (Unicode, table 3-7): an SVG file may hold nothing else.
+   pure function is_utf8(text)
       character(len=*), intent(in) :: text
-      logical :: is_xml
-      character(len=*), parameter :: before_last = achar(239) // achar(191)
+      logical :: is_utf8
       integer :: byte, expected, i, least, most
 
-      is_xml = .false.
-      if (index(text, before_last // achar(190)) + index(text, before_last // achar(191)) > 0) return
+      is_utf8 = .false.
       expected = 0
       least = 128
       most = 191
@@ -290,8 +289,18 @@ contains
             end select
          end if
       end do
-      is_xml = expected == 0
-   end function is_xml
+      is_utf8 = expected == 0
+   end function is_utf8
+
+
+   !> Whether well-formed text has one of the two characters of three bytes that XML excludes
+   pure function has_noncharacter(text)
+      character(len=*), intent(in) :: text
+      logical :: has_noncharacter
+      character(len=*), parameter :: before_last = achar(239) // achar(191)
+
+      has_noncharacter = index(text, before_last // achar(190)) + index(text, before_last // achar(191)) > 0
+   end function has_noncharacter
 
 
    subroutine reject(message)
