@@ -3,7 +3,7 @@
 !> Decimal numbers as people type them, kept exact: 179.999999 is not what a real makes of it.
 module furiko_cli_decimal
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_number, only : exponent_mark, is_number
+   use furiko_cli_number, only : exponent_mark, is_number, read_whole
    use furiko_double_word, only : double_word, operator(-), operator(*), operator(/)
    implicit none
    private
@@ -32,21 +32,23 @@ contains
       type(decimal), intent(out) :: number
       logical, intent(out) :: valid
       character(len=:), allocatable :: figures
-      integer :: mark, point, power, start, stat
+      integer(int64) :: power
+      integer :: mark, point, start
 
       valid = .false.
       if (.not. is_number(text)) return
       mark = exponent_mark(text)
       power = 0
       if (mark <= len(text)) then
-         read(text(mark + 1:), '(i20)', iostat=stat) power
-         if (stat /= 0 .or. abs(power) > 99) return
+         call read_whole(text(mark + 1:), power, valid)
+         valid = .false.
+         if (abs(power) > 99) return
       end if
       start = 1
       if (scan(text, '+-') == 1) start = 2
       point = scan(text(:mark - 1) // '.', '.')
       figures = text(start:point - 1) // text(point + 1:mark - 1)
-      number%places = max(0, mark - 1 - point) - power
+      number%places = max(0, mark - 1 - point) - int(power)
       if (number%places < 0) figures = figures // repeat('0', min(-number%places, most_figures))
       number%places = max(0, number%places)
       figures = figures(verify(figures // '1', '0'):)

@@ -9,7 +9,7 @@ module furiko_cli_digits
       operator(*), operator(/)
 #endif
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_number, only : exponent_mark, is_number
+   use furiko_cli_number, only : exponent_mark, is_number, read_whole
    use furiko_cli_quantity, only : integer_of
    use furiko_cli_terminal, only : finish, put, refuse
    implicit none
@@ -163,21 +163,22 @@ contains
       character(len=:), allocatable, intent(out) :: figures
       integer, intent(out) :: places
       logical, intent(out) :: valid
-      integer :: mark, point, start, stat
+      integer(int64) :: power
+      integer :: mark, point, start
 
       figures = ''
       places = 0
       valid = is_number(text)
       if (.not. valid) return
       mark = exponent_mark(text)
-      stat = 0
-      if (mark < len(text)) read(text(mark + 1:), '(i20)', iostat=stat) places
-      valid = stat == 0 .and. abs(places) < 4000
+      power = 0
+      if (mark < len(text)) call read_whole(text(mark + 1:), power, valid)
+      valid = abs(power) < 4000
       start = 1
       if (scan(text, '+-') == 1) start = 2
       point = scan(text(:mark - 1) // '.', '.')
       figures = text(start:point - 1) // text(point + 1:mark - 1)
-      places = max(0, mark - 1 - point) - places
+      places = max(0, mark - 1 - point) - int(power)
    end subroutine read_one
 
 

@@ -7,7 +7,7 @@ module furiko_cli_files
    implicit none
    private
    public :: write_file, tail_of, move_file, remove_file, make_folder, enter_folder, can_replace, &
-      process_id, folder_of, name_of
+      is_there, process_id, folder_of, name_of
 
 
    !> What POSIX calls W_OK and F_OK
@@ -166,11 +166,19 @@ contains
       character(len=*), intent(in) :: path
       logical :: can_replace
 
-      can_replace = c_access(path // c_null_char, present) /= 0
+      can_replace = .not. is_there(path)
       if (can_replace) return
       can_replace = c_access(path // '/.' // c_null_char, present) /= 0
       if (can_replace) can_replace = c_access(path // c_null_char, writable) == 0
    end function can_replace
+
+
+   function is_there(path)
+      character(len=*), intent(in) :: path
+      logical :: is_there
+
+      is_there = c_access(path // c_null_char, present) == 0
+   end function is_there
 
 
    function process_id()

@@ -5,11 +5,11 @@ module furiko_cli_motion
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : motion, pendulum, pendulum_rk4
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_pendulum, only : read_pendulum_option
-   use furiko_cli_quantity, only : angle_of, number_of, pure_number, seconds
+   use furiko_cli_pendulum, only : amplitude_of, angle_at_start, rate_at_start, read_pendulum_option
+   use furiko_cli_quantity, only : number_of, seconds
    use furiko_cli_sheet, only : begin_sheet, sheet
    use furiko_cli_terminal, only : finish, put, refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(-)
+   use furiko_double_word, only : double_word
    implicit none
    private
    public :: motion_command
@@ -44,8 +44,6 @@ module furiko_cli_motion
 
 
    real(wp), parameter :: most_rows = 1.0e12_wp
-   real(wp), parameter :: most_degrees = 1.0e9_wp
-   real(wp), parameter :: most_rate = 1.0e100_wp
 
 
    !> What the command line asks for
@@ -119,32 +117,20 @@ contains
       character(len=*), intent(in) :: option
       character(len=*), intent(in) :: word
       type(request), intent(inout) :: wish
-      real(wp), parameter :: pi = acos(-1.0_wp)
-      type(double_word) :: beyond
 
       if (option == '--rate') then
-         wish%rate = number_of(command // ': ' // option, word, pure_number(:0))
+         wish%rate = rate_at_start(command, option, word)
          wish%has_rate = .true.
-         if (abs(wish%rate) > most_rate) then
-            call reject(option // ' ' // word // ' is outside -1e100 <= rate <= 1e100 rad/s')
-         end if
          return
       end if
       if (wish%start /= '') then
          call reject(option // ' ' // word // ': there is a start already, ' // wish%start)
       end if
       wish%start = option
-      wish%angle = angle_of(command // ': ' // option, word)
       if (option == '--angle') then
-         if (abs(wish%angle%hi) > most_degrees*pi/180) then
-            call reject(option // ' ' // word // ' is outside -1e9 <= angle <= 1e9 degrees')
-         end if
+         wish%angle = angle_at_start(command, option, word)
       else
-         beyond = double_word(abs(wish%angle%hi), sign(wish%angle%lo, wish%angle%hi*wish%angle%lo))
-         beyond = beyond - double_word_pi
-         if (.not. beyond%hi < 0.0_wp) then
-            call reject(option // ' ' // word // ' is outside -180 < angle < 180 degrees')
-         end if
+         wish%angle = amplitude_of(command, option, word)
       end if
    end subroutine read_start
 

@@ -2,9 +2,10 @@
 
 !> What counts as a number where people type one: Fortran's `read` takes 2*3, 1-5 and 7, as well.
 module furiko_cli_number
+   use, intrinsic :: iso_fortran_env, only : int64
    implicit none
    private
-   public :: is_number, exponent_mark
+   public :: is_number, exponent_mark, read_whole
 
 
 contains
@@ -20,6 +21,29 @@ contains
       is_number = is_decimal(unsigned(text(:mark - 1)))
       if (mark <= len(text)) is_number = is_number .and. is_digits(unsigned(text(mark + 1:)))
    end function is_number
+
+
+   !> [sign] digits, however many: `valid` says whether text is that. A number beyond 18 digits becomes
+   !> the largest of its sign.
+   pure subroutine read_whole(text, number, valid)
+      character(len=*), intent(in) :: text
+      integer(int64), intent(out) :: number
+      logical, intent(out) :: valid
+      integer, parameter :: most_digits = 18
+      character(len=:), allocatable :: figures
+
+      number = 0
+      figures = unsigned(text)
+      valid = is_digits(figures)
+      if (.not. valid) return
+      figures = figures(verify(figures // '1', '0'):)
+      if (len(figures) > most_digits) then
+         number = huge(number)
+      else if (len(figures) > 0) then
+         read(figures, '(i18)') number
+      end if
+      if (text(1:1) == '-') number = -number
+   end subroutine read_whole
 
 
    !> Where the exponent's letter stands; behind the text where there is none.

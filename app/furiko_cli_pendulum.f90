@@ -1,15 +1,16 @@
 ! SPDX-License-Identifier: MIT
 
-!> The options that several commands share: --length and --gravity.
+!> The options that several commands share: --length and --gravity, and those of a start.
 module furiko_cli_pendulum
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : pendulum
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_quantity, only : metres, number_of, pure_number
+   use furiko_cli_quantity, only : angle_of, metres, number_of, pure_number
    use furiko_cli_terminal, only : refuse
+   use furiko_double_word, only : double_word, double_word_pi, operator(-)
    implicit none
    private
-   public :: read_pendulum_option
+   public :: read_pendulum_option, amplitude_of, angle_at_start, rate_at_start
 
 
 contains
@@ -37,6 +38,49 @@ contains
             ' is outside 1e-100 <= gravity <= 1e100 m/s^2')
       end if
    end subroutine read_pendulum_option
+
+
+   !> An angle to which the pendulum swings out, to either side
+   function amplitude_of(command, option, word) result(amplitude)
+      character(len=*), intent(in) :: command
+      character(len=*), intent(in) :: option
+      character(len=*), intent(in) :: word
+      type(double_word) :: amplitude
+      type(double_word) :: beyond
+
+      amplitude = angle_of(command // ': ' // option, word)
+      beyond = double_word(abs(amplitude%hi), sign(amplitude%lo, amplitude%hi*amplitude%lo)) - double_word_pi
+      if (.not. beyond%hi < 0.0_wp) then
+         call refuse(command // ': ' // option // ' ' // word // ' is outside -180 < angle < 180 degrees')
+      end if
+   end function amplitude_of
+
+
+   function angle_at_start(command, option, word) result(angle)
+      character(len=*), intent(in) :: command
+      character(len=*), intent(in) :: option
+      character(len=*), intent(in) :: word
+      type(double_word) :: angle
+      real(wp), parameter :: most = 1.0e9_wp*acos(-1.0_wp)/180
+
+      angle = angle_of(command // ': ' // option, word)
+      if (abs(angle%hi) > most) then
+         call refuse(command // ': ' // option // ' ' // word // ' is outside -1e9 <= angle <= 1e9 degrees')
+      end if
+   end function angle_at_start
+
+
+   function rate_at_start(command, option, word) result(rate)
+      character(len=*), intent(in) :: command
+      character(len=*), intent(in) :: option
+      character(len=*), intent(in) :: word
+      real(wp) :: rate
+
+      rate = number_of(command // ': ' // option, word, pure_number(:0))
+      if (abs(rate) > 1.0e100_wp) then
+         call refuse(command // ': ' // option // ' ' // word // ' is outside -1e100 <= rate <= 1e100 rad/s')
+      end if
+   end function rate_at_start
 
 
    !> Lengths and gravities that no intermediate result can overflow with

@@ -103,6 +103,7 @@ contains
       call check_text('-o', file)
       call check_text('--title', title)
       if (.not. is_utf8(title)) call reject('--title is not UTF-8')
+      if (has_noncharacter(title)) call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
       if (.not. is_picture_name(file)) then
          call reject("-o '" // file // "' does not end in .svg, .png or .pdf")
       end if
@@ -125,14 +126,11 @@ contains
 
       if (list /= '' .and. chosen%most == 0) call reject(trim(chosen%name) // ' takes no --amplitude')
       if (list /= '') then
-         amplitudes = amplitudes_of(list)
+         amplitudes = amplitudes_of(chosen, list)
       else if (chosen%amplitudes /= '') then
-         amplitudes = amplitudes_of(trim(chosen%amplitudes))
+         amplitudes = amplitudes_of(chosen, trim(chosen%amplitudes))
       else
          allocate(amplitudes(0))
-      end if
-      if (size(amplitudes) > chosen%most) then
-         call reject(trim(chosen%name) // ' has no room for so many amplitudes')
       end if
       call begin_picture(file, extent(1), extent(2), place)
 
@@ -202,14 +200,21 @@ contains
 
 
    !> The amplitudes of a list with commas between.
-   recursive function amplitudes_of(list) result(amplitudes)
+   function amplitudes_of(chosen, list) result(amplitudes)
+      type(entry), intent(in) :: chosen
       character(len=*), intent(in) :: list
       type(amplitude), allocatable :: amplitudes(:)
-      integer :: comma
+      integer :: comma, from, i
 
-      comma = index(list // ',', ',')
-      amplitudes = [amplitude_of(list(:comma - 1))]
-      if (comma <= len(list)) amplitudes = [amplitudes, amplitudes_of(list(comma + 1:))]
+      allocate(amplitudes(count([(list(i:i) == ',', i=1, len(list))]) + 1))
+      if (size(amplitudes) > chosen%most) call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      from = 1
+      do i = 1, size(amplitudes)
+         comma = index(list(from:), ',')
+         if (comma == 0) comma = len(list) - from + 2
+         amplitudes(i) = amplitude_of(list(from:from + comma - 2))
+         from = from + comma
+      end do
    end function amplitudes_of
 
 
@@ -286,6 +291,16 @@ contains
       end do
       is_utf8 = expected == 0
    end function is_utf8
+
+
+   !> Whether well-formed text has one of the two characters of three bytes that XML excludes
+   pure function has_noncharacter(text)
+      character(len=*), intent(in) :: text
+      logical :: has_noncharacter
+      character(len=*), parameter :: before_last = achar(239) // achar(191)
+
+      has_noncharacter = index(text, before_last // achar(190)) + index(text, before_last // achar(191)) > 0
+   end function has_noncharacter
 
 
    subroutine reject(message)

@@ -2,9 +2,10 @@
 
 !> Quantities as people type them: 57.3deg, 1rad, 50cm, 9.8, 1/2, 3%.
 module furiko_cli_quantity
-   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use furiko_bits_dp, only : infinity
    use furiko_cli_decimal, only : decimal, read_decimal, to_double_word
-   use furiko_cli_number, only : is_number
+   use furiko_cli_number, only : is_number, read_whole
    use furiko_cli_terminal, only : refuse
    use furiko_double_word, only : double_word, double_word_pi, operator(*), operator(/)
    implicit none
@@ -43,6 +44,7 @@ contains
       call read_exactly(text, angle, valid)
       if (.not. valid) call refuse(what // " '" // word // "' is not an angle (as 57.3, 57.3deg or 1rad)")
       if (.not. in_radians) angle = angle*double_word_pi/double_word(180.0_wp)
+      if (.not. in_range(angle%hi, text)) call refuse(what // " '" // word // "' is not a number of this range")
    end function angle_of
 
 
@@ -68,9 +70,7 @@ contains
          exit
       end do
       call read_exactly(text, x, valid)
-      if (.not. valid) then
-         call refuse(what // " '" // word // "' is not a number" // accepted(units))
-      end if
+      if (.not. valid) call refuse(what // " '" // word // "' is not a number" // accepted(units))
       number = x%hi
       ! 3% is 3/100, not 3 times a rounded 0.01
       if (size_of_unit < 1.0_wp) then
@@ -78,6 +78,7 @@ contains
       else
          number = number*size_of_unit
       end if
+      if (.not. in_range(number, text)) call refuse(what // " '" // word // "' is not a number of this range")
    end function number_of
 
 
@@ -89,12 +90,12 @@ contains
       integer, intent(in) :: most
       integer :: number
       character(len=12) :: bounds(2)
-      integer :: stat
+      integer(int64) :: whole
+      logical :: valid
 
-      number = 0
-      stat = 1
-      if (len(word) > 0 .and. verify(word, '+-0123456789') == 0) read(word, '(i20)', iostat=stat) number
-      if (stat == 0 .and. number >= least .and. number <= most) return
+      call read_whole(word, whole, valid)
+      number = int(max(min(whole, int(most, int64)), int(least, int64)))
+      if (valid .and. number == whole) return
       write(bounds, '(i0)') least, most
       call refuse(what // " '" // word // "' is not a whole number from " // trim(bounds(1)) // &
          ' to ' // trim(bounds(2)))
@@ -113,11 +114,12 @@ contains
       call read_one(text(:slash - 1), x, valid)
       if (.not. valid .or. slash > len(text)) return
       call read_one(text(slash + 1:), y, valid)
-      valid = valid .and. abs(y%hi) > 0.0_wp
+      valid = valid .and. is_nonzero(text(slash + 1:))
       if (valid) x = x/y
    end subroutine read_exactly
 
 
+   !> A number out of range is infinite, or zero.
    pure subroutine read_one(text, x, valid)
       character(len=*), intent(in) :: text
       type(double_word), intent(out) :: x
@@ -133,8 +135,27 @@ contains
       valid = is_number(text)
       if (.not. valid) return
       read(text, *, iostat=stat) x%hi
-      valid = stat == 0 .and. abs(x%hi) <= huge(x%hi)
+      if (stat /= 0) x%hi = infinity
    end subroutine read_one
+
+
+   !> Whether x, read from a number or fraction, is finite, and zero only where a zero was typed
+   pure function in_range(x, text)
+      real(wp), intent(in) :: x
+      character(len=*), intent(in) :: text
+      logical :: in_range
+
+      in_range = abs(x) <= huge(x) .and. (abs(x) > 0.0_wp .or. .not. is_nonzero(text))
+   end function in_range
+
+
+   !> Whether the number in front, before any exponent and fraction, has a digit other than zero
+   pure function is_nonzero(text)
+      character(len=*), intent(in) :: text
+      logical :: is_nonzero
+
+      is_nonzero = scan(text(:scan(text // '/', '/eEdD') - 1), '123456789') > 0
+   end function is_nonzero
 
 
    pure function accepted(units) result(text)

@@ -2,11 +2,11 @@
 
 !> `furiko rk4`: the pendulum by a step-by-step integrator, beside its exact motion.
 module furiko_cli_rk4
-   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : motion, pendulum, pendulum_forest_ruth, pendulum_rk4, pendulum_verlet, rk4
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_pendulum, only : read_pendulum_option
-   use furiko_cli_quantity, only : angle_of, integer_of, number_of, pure_number
+   use furiko_cli_pendulum, only : amplitude_of, angle_at_start, rate_at_start, read_pendulum_option
+   use furiko_cli_quantity, only : integer_of, number_of, pure_number
    use furiko_cli_sheet, only : begin_sheet, sheet
    use furiko_cli_terminal, only : finish, put, refuse
    use furiko_double_word, only : double_word
@@ -107,18 +107,16 @@ contains
       character(len=*), intent(in) :: option
       character(len=*), intent(in) :: word
       type(request), intent(inout) :: wish
-      real(wp), parameter :: pi = acos(-1.0_wp)
 
-      if (option == '--rate') then
-         wish%rate = number_of(command // ': ' // option, word, pure_number(:0))
-         wish%by_amplitude = .false.
-         return
-      end if
-      wish%angle = angle_of(command // ': ' // option, word)
       wish%by_amplitude = option == '--amplitude'
-      if (wish%by_amplitude .and. .not. abs(wish%angle%hi) < pi) then
-         call reject(option // ' ' // word // ' is outside -180 < amplitude < 180 degrees')
-      end if
+      select case (option)
+      case ('--amplitude')
+         wish%angle = amplitude_of(command, option, word)
+      case ('--angle')
+         wish%angle = angle_at_start(command, option, word)
+      case default
+         wish%rate = rate_at_start(command, option, word)
+      end select
    end subroutine read_start
 
 
@@ -165,7 +163,7 @@ contains
       type(motion) :: path
       type(sheet) :: page
       real(wp) :: energy, h, omega2, period, t, y(2)
-      integer :: i, rows
+      integer(int64) :: i, rows
 
       if (wish%by_amplitude) then
          path = wish%body%swinging(wish%angle%hi, wish%angle%lo)
@@ -176,15 +174,15 @@ contains
       if (.not. period <= huge(period)) call reject('on the separatrix there is no period')
       omega2 = wish%body%gravity/wish%body%length
       h = period/wish%steps
-      rows = int(real(wish%steps, wp)*wish%periods/wish%every)
+      rows = int(wish%steps, int64)*wish%periods/wish%every
       y = [path%angle(0.0_wp), path%rate(0.0_wp)]
       energy = energy_of(y, omega2)
       page = begin_sheet(command, wish%form, [character(len=16) :: 'periods', 'angle_rad', &
          'rate_rad_s', 'angle_error_rad', 'energy_error'], [character(len=8) :: 'f14.4', 'f20.12', &
          'f20.12', 'es16.4e3', 'es16.4e3'])
       do i = 0, rows
-         if (i > 0) call advance(wish, omega2, h, (i - 1)*real(wish%every, wp)*h, y)
-         t = i*(wish%every*h)
+         if (i > 0) call advance(wish, omega2, h, real(i - 1, wp)*wish%every*h, y)
+         t = real(i, wp)*(wish%every*h)
          call page%row([t/period, y, y(1) - path%angle(t), energy_of(y, omega2) - energy])
       end do
       call page%end()

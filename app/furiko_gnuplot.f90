@@ -2,12 +2,13 @@
 
 !> Figures drawn by gnuplot: the script, the call, and a picture that is there whole or not at all.
 !>
-!> All work is done in a folder of its own beside the picture, which is entered: the shell sees only
-!> names that are written here, and the last step is a rename on one disk.
+!> All work is done in a folder of its own beside the picture, which is entered: the shell and gnuplot
+!> see only names that are written here, for gnuplot runs a file's name that begins with < or | as a
+!> command. The last step is a rename on one disk.
 module furiko_gnuplot
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_files, only : can_replace, enter_folder, folder_of, make_folder, move_file, name_of, &
-      process_id, remove_file, tail_of, write_file
+   use furiko_cli_files, only : can_replace, enter_folder, folder_of, is_there, make_folder, move_file, &
+      name_of, process_id, remove_file, tail_of, write_file
    use furiko_cli_terminal, only : complain, fail, quit, say_why
    use furiko_figure, only : figure, to_text
    implicit none
@@ -19,6 +20,8 @@ module furiko_gnuplot
    character(len=*), parameter :: endings(*) = [character(len=4) :: '.svg', '.png', '.pdf']
    !> What stands within the last bytes of a whole picture of each kind
    character(len=*), parameter :: closings(*) = [character(len=6) :: '</svg>', 'IEND', '%%EOF']
+   character(len=*), parameter :: data_name = 'furiko.csv'
+   character(len=*), parameter :: picture_name = 'furiko'
    character(len=*), parameter :: script_name = 'furiko.gp'
    character(len=*), parameter :: log_name = 'furiko.log'
    !> The shell's code for a command that is not there
@@ -91,63 +94,90 @@ contains
       character(len=*), intent(in) :: title
       !> Leave the data and the script beside the picture
       logical, intent(in) :: keep
+      character(len=:), allocatable :: drawn
       integer :: code, ignored
       logical :: done
 
-      call write_file(self%stem // '.csv', content%csv(), done)
-      if (done) call write_file(script_name, script_of(self, content, title), done)
+      drawn = picture_name // endings(self%form)
+      call write_file(data_name, content%csv(), done)
+      if (done) call write_file(script_name, script_of(self, content, title, data_name, drawn), done)
       if (.not. done) call give_up(self)
       ! A terminal of the user's that it does not have can crash gnuplot; cmdstat is asked for since
       ! flang stops at a command's own exit code otherwise
       ! allow(C181)
       call execute_command_line('GNUTERM=unknown gnuplot -d ' // script_name // ' >' // log_name // ' 2>&1', &
          exitstat=code, cmdstat=ignored)
-      if (keep .or. code == not_found) call keep_data(self)
-      if (code == not_found) then
-         call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &
-            'install gnuplot-nox, then, in ' // folder_of(self%path) // ': gnuplot ' // self%stem // '.gp')
-         call clear(self)
-         call quit(3)
-      end if
+      if (code == not_found) call leave_for_later(self, content, title, keep)
+      if (keep) call keep_data(self, content, title)
 
       done = code == 0
-      if (done) done = index(tail_of(self%name, 16), trim(closings(self%form))) > 0
+      if (done) done = index(tail_of(drawn, 16), trim(closings(self%form))) > 0
       if (.not. done) then
          call complain('furiko plot: gnuplot drew no whole ' // self%path // ': ' // &
             last_line(tail_of(log_name, 1000)))
          call clear(self)
          call quit()
       end if
-      call move_file(self%name, '../' // self%name, done)
+      call move_file(drawn, '../' // self%name, done)
       if (.not. done) call give_up(self)
       call clear(self)
    end subroutine draw
 
 
-   !> Leave the data and the script, which go by the picture's name.
-   subroutine keep_data(self)
+   !> Without gnuplot: data and script for whoever has it. Does not return.
+   subroutine leave_for_later(self, content, title, replace)
       type(picture), intent(in) :: self
+      type(figure), intent(in) :: content
+      character(len=*), intent(in) :: title
+      !> Whether files of these names may be replaced
+      logical, intent(in) :: replace
+
+      if (.not. replace .and. any([is_there('../' // self%stem // '.csv'), is_there('../' // self%stem // '.gp')])) then
+         call complain('furiko plot: no gnuplot here (apt-get install gnuplot-nox), and no data and script ' // &
+            'for it, for there is a ' // self%stem // '.csv or .gp already; --data replaces them')
+      else
+         call keep_data(self, content, title)
+         call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &
+            'install gnuplot-nox, then, in ' // folder_of(self%path) // ': gnuplot ' // &
+            quoted('./' // self%stem // '.gp', "'\''"))
+      end if
+      call clear(self)
+      call quit(3)
+   end subroutine leave_for_later
+
+
+   !> Leave the data and a script for them, which go by the picture's name. None of the names that the
+   !> script says begins with a character that gnuplot takes for a command's.
+   subroutine keep_data(self, content, title)
+      type(picture), intent(in) :: self
+      type(figure), intent(in) :: content
+      character(len=*), intent(in) :: title
       logical :: done
 
-      call move_file(self%stem // '.csv', '../' // self%stem // '.csv', done)
+      call write_file(script_name, script_of(self, content, title, './' // self%stem // '.csv', &
+         './' // self%name), done)
+      if (done) call move_file(data_name, '../' // self%stem // '.csv', done)
       if (done) call move_file(script_name, '../' // self%stem // '.gp', done)
       if (.not. done) call give_up(self)
    end subroutine keep_data
 
 
    !> The whole script: it needs the data beside it, and makes the picture there.
-   function script_of(self, content, title) result(text)
+   function script_of(self, content, title, data, drawn) result(text)
       type(picture), intent(in) :: self
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
+      !> The data's and the picture's name
+      character(len=*), intent(in) :: data
+      character(len=*), intent(in) :: drawn
       character(len=:), allocatable :: text
 
       text = '# SVG, PNG or PDF by its first lines; made by furiko plot' // nl // &
          'set encoding utf8' // nl // &
          'set minussign' // nl // &
          'set terminal ' // terminal_of(self) // nl // &
-         'set output ' // quoted(self%name) // nl // &
-         'data = ' // quoted(self%stem // '.csv') // nl // &
+         'set output ' // quoted(drawn) // nl // &
+         'data = ' // quoted(data) // nl // &
          "set datafile separator ','" // nl // &
          'set border 3 lw 1' // nl // &
          'set tics nomirror out' // nl // &
@@ -201,16 +231,24 @@ contains
    end function terminal_of
 
 
-   !> A string of gnuplot's in which nothing is special.
-   pure function quoted(text) result(string)
+   !> A string in which nothing is special: of gnuplot's, in parts (it reads no doubled quote in front), or,
+   !> with what stands there for a quote, the shell's
+   pure function quoted(text, quote) result(string)
       character(len=*), intent(in) :: text
+      character(len=*), intent(in), optional :: quote
       character(len=:), allocatable :: string
+      character(len=:), allocatable :: inner
       integer :: i
 
+      inner = "'.""'"".'"
+      if (present(quote)) inner = quote
       string = "'"
       do i = 1, len(text)
-         string = string // text(i:i)
-         if (text(i:i) == "'") string = string // "'"
+         if (text(i:i) == "'") then
+            string = string // inner
+         else
+            string = string // text(i:i)
+         end if
       end do
       string = string // "'"
    end function quoted
@@ -254,10 +292,10 @@ contains
       type(picture), intent(in) :: self
       logical :: ignored
 
-      call remove_file(self%stem // '.csv')
+      call remove_file(data_name)
       call remove_file(script_name)
       call remove_file(log_name)
-      call remove_file(self%name)
+      call remove_file(picture_name // endings(self%form))
       call enter_folder('..', ignored)
       call remove_file(self%work)
    end subroutine clear

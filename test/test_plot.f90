@@ -37,6 +37,8 @@ contains
          new_unittest('gnuplot-that-fails', test_failing_gnuplot), &
          new_unittest('formats-and-sizes', test_formats), &
          new_unittest('strange-names-and-titles', test_strange_text), &
+         new_unittest('names-that-gnuplot-would-run', test_names_of_commands), &
+         new_unittest('titles-as-they-were-typed', test_titles), &
          new_unittest('titles-in-utf-8', test_utf8), &
          new_unittest('amplitudes', test_amplitudes), &
          new_unittest('data', test_data), &
@@ -66,7 +68,7 @@ contains
    !> A bad command line: code 2, one line, nothing written
    subroutine test_refusals(error)
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: commands(*) = [character(len=44) :: '', '-o x.svg', &
+      character(len=*), parameter :: commands(*) = [character(len=72) :: '', '-o x.svg', &
          'nosuch -o x.svg', 'phase', 'phase -o', 'phase -o ""', 'phase -o x', 'phase -o x.gif', &
          'phase -o x.SVG', 'phase -o .svg', 'phase -o svg', 'phase phase -o x.svg', &
          'phase -o x.svg --nosuch', 'phase -o x.svg --size 800', 'phase -o x.svg --size 800x', &
@@ -82,6 +84,9 @@ contains
          'accuracy -o x.svg --amplitude 1', 'phase -o x.svg --title "$(printf "a\nb")"', &
          'phase -o "$(printf "a\nb.svg")"', 'phase -o x.svg --title "$(printf "\033")"', &
          'phase -o x.svg --title "$(printf "a\377b")"', 'phase -o x.svg --title "$(printf "\303")"', &
+         'phase -o x.svg --title "$(printf "\357\277\276")"', &
+         'phase -o x.svg --title "$(printf "x\357\277\277")"', &
+         'phase -o x.svg --amplitude $(yes , | head -n 60000 | tr -d "\n")', &
          'converge -o x.svg --amplitude 1,2,3']
       character(len=:), allocatable :: errors, output
       integer :: code, i
@@ -137,8 +142,8 @@ contains
    !> gnuplot says that all is well and has drawn nothing, or a half
    subroutine test_failing_gnuplot(error)
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: scripts(*) = [character(len=32) :: 'echo oops >&2; exit 1', &
-         'exit 0', 'echo "<svg " >x.svg', 'echo half >x.svg; kill -9 $$']
+      character(len=*), parameter :: scripts(*) = [character(len=40) :: 'echo oops >&2; exit 1', &
+         'exit 0', 'echo "<svg " >furiko.svg', 'echo half >furiko.svg; kill -9 $$']
       character(len=:), allocatable :: errors, output
       integer :: code, i
 
@@ -203,6 +208,49 @@ contains
       call check(error, index(contents(work() // '/x.svg'), &
          ">it's `touch y` $(touch y) &lt;b> &amp; {/Bold x} %d θ_0<") > 0, 'the title')
    end subroutine test_strange_text
+
+
+   !> Neither the program nor the script that it leaves runs what a name says
+   subroutine test_names_of_commands(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: names(*) = [character(len=12) :: '<touch y; #', '|touch y; #', '-', '+', '++', &
+         '$y', '''', '''''q', '~y', '"`touch y`"']
+      character(len=:), allocatable :: errors, name, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(names)
+         name = trim(names(i))
+         call run_inside('name=$(cat <<\END' // nl // name // nl // 'END' // nl // '); furiko plot accuracy ' // &
+            '-o "$name.svg" --data && rm "./$name.svg" && gnuplot "./$name.gp"', output, errors, code)
+         call check(error, code == 0 .and. output == name // '.csv' // nl // name // '.gp' // nl // &
+            name // '.svg' // nl, name // ': ' // output // errors)
+         if (allocated(error)) return
+      end do
+   end subroutine test_names_of_commands
+
+
+   !> Quotes in front, doubled, behind; what the shell, gnuplot or a format would replace
+   subroutine test_titles(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: titles(*) = [character(len=12) :: '''', '''''', '''a', 'a''', '$HOME', &
+         '`touch y`', '\"x', '@x', '%d %s', '~a', '#x', '^_', '\', '日本']
+      character(len=:), allocatable :: errors, figure, output, title
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(titles)
+         title = trim(titles(i))
+         figure = trim(merge('accuracy', 'converge', modulo(i, 2) == 0))
+         call run_inside('title=$(cat <<\END' // nl // title // nl // 'END' // nl // '); furiko plot ' // &
+            figure // ' -o x.svg --title "$title"', output, errors, code)
+         call check(error, code == 0 .and. output == 'x.svg' // nl .and. &
+            index(contents(work() // '/x.svg'), '>' // title // '<') > 0, title // ': ' // output // errors)
+         if (allocated(error)) return
+      end do
+   end subroutine test_titles
 
 
    !> What is no UTF-8 is refused before anything is drawn, the first and last of each length is not.
