@@ -507,4 +507,4 @@ contains
    end function decimals
 
 end module test_accuracy
-! rooms: 2698081537
+! rooms: 2792044251
