@@ -207,7 +207,9 @@ contains
       integer :: comma, from, i
 
       allocate(amplitudes(count([(list(i:i) == ',', i=1, len(list))]) + 1))
-      if (size(amplitudes) > chosen%most) call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      if (size(amplitudes) > chosen%most) then
+         call reject(trim(chosen%name) // ' has no room for so many amplitudes')
+      end if
       from = 1
       do i = 1, size(amplitudes)
          comma = index(list(from:), ',')

@@ -44,7 +44,9 @@ contains
       call read_exactly(text, angle, valid)
       if (.not. valid) call refuse(what // " '" // word // "' is not an angle (as 57.3, 57.3deg or 1rad)")
       if (.not. in_radians) angle = angle*double_word_pi/double_word(180.0_wp)
-      if (.not. in_range(angle%hi, text)) call refuse(what // " '" // word // "' is not a number of this range")
+      if (.not. in_range(angle%hi, text)) then
+         call refuse(what // " '" // word // "' is not a number of this range")
+      end if
    end function angle_of
 
 

@@ -132,9 +132,13 @@ contains
       !> Whether files of these names may be replaced
       logical, intent(in) :: replace
 
-      if (.not. replace .and. any([is_there('../' // self%stem // '.csv'), is_there('../' // self%stem // '.gp')])) then
-         call complain('furiko plot: no gnuplot here (apt-get install gnuplot-nox), and no data and script ' // &
-            'for it, for there is a ' // self%stem // '.csv or .gp already; --data replaces them')
+      logical :: taken
+
+      taken = is_there('../' // self%stem // '.csv')
+      if (.not. taken) taken = is_there('../' // self%stem // '.gp')
+      if (taken .and. .not. replace) then
+         call complain('furiko plot: no gnuplot here (apt-get install gnuplot-nox), and no data and ' // &
+            'script for it: there is a ' // self%stem // '.csv or .gp already; --data replaces them')
       else
          call keep_data(self, content, title)
          call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &

@@ -465,7 +465,7 @@ contains
          'ulp is the smallest number there is, and no number says what of it is missing: 0 is correct', &
          'rounding, 1 is not. In those by the name of `overflow` some values are beyond the largest,', &
          'and infinity is what is right. `agm_steps_kn` and `_en` are K and E after so many steps, their', &
-         'second argument; that of series and trapezoidal rules is the number of terms or subintervals.', '', &
+         'second argument; that of series and rules is the number of terms or subintervals.', '', &
          'The largest error of each family, over all forms and regimes but those listed by themselves,', &
          'and behind it that of the same points in one array.', '', &
          '| family | regime | real32 | array | real64 | array | real128 | array |', &

@@ -213,8 +213,8 @@ contains
    !> Neither the program nor the script that it leaves runs what a name says
    subroutine test_names_of_commands(error)
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: names(*) = [character(len=12) :: '<touch y; #', '|touch y; #', '-', '+', '++', &
-         '$y', '''', '''''q', '~y', '"`touch y`"']
+      character(len=*), parameter :: names(*) = [character(len=12) :: '<touch y; #', '|touch y; #', '-', &
+         '+', '++', '$y', '''', '''''q', '~y', '"`touch y`"']
       character(len=:), allocatable :: errors, name, output
       integer :: code, i
 
@@ -222,8 +222,9 @@ contains
       if (allocated(error)) return
       do i = 1, size(names)
          name = trim(names(i))
-         call run_inside('name=$(cat <<\END' // nl // name // nl // 'END' // nl // '); furiko plot accuracy ' // &
-            '-o "$name.svg" --data && rm "./$name.svg" && gnuplot "./$name.gp"', output, errors, code)
+         call run_inside('name=$(cat <<\END' // nl // name // nl // 'END' // nl // &
+            '); furiko plot accuracy -o "$name.svg" --data && rm "./$name.svg" && gnuplot "./$name.gp"', &
+            output, errors, code)
          call check(error, code == 0 .and. output == name // '.csv' // nl // name // '.gp' // nl // &
             name // '.svg' // nl, name // ': ' // output // errors)
          if (allocated(error)) return

@@ -53,4 +53,4 @@ module test_special_qp
    include 'test_special.inc'
 end module test_special_qp
 #endif
-! rooms: 300774453
+! rooms: 2053848218

@@ -27,29 +27,7 @@ module furiko_carlson_words_sp
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_nan.inc'
-
-
-   ! What leaves the range or cancels in single words is nothing special in double precision.
-
-   elemental function rc_at_edge(x, y) result(f)
-      real(wp), intent(in) :: x, y
-      real(wp) :: f
-      f = real(double_rc(real(x, real64), real(y, real64)), wp)
-   end function rc_at_edge
-
-
-   elemental function rd_at_edge(x, y, z) result(f)
-      real(wp), intent(in) :: x, y, z
-      real(wp) :: f
-      f = real(double_rd(real(x, real64), real(y, real64), real(z, real64)), wp)
-   end function rd_at_edge
-
-
-   elemental function rj_at_edge(x, y, z, p) result(f)
-      real(wp), intent(in) :: x, y, z, p
-      real(wp) :: f
-      f = real(double_rj(real(x, real64), real(y, real64), real(z, real64), real(p, real64)), wp)
-   end function rj_at_edge
+   include 'furiko_carlson_by_real64.inc'
 end module furiko_carlson_words_sp
 
 
@@ -64,4 +42,4 @@ module furiko_carlson_words_qp
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
-! rooms: 278521024
+! rooms: 2777576408

@@ -33,28 +33,7 @@ module furiko_legendre_sp
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_nan.inc'
-
-
-   !> Arguments too far out for single words, but for those that may be next to an edge, are nothing
-   !> special in double precision
-   elemental function legendre_far(which, form, phi, x, v) result(f)
-      integer, intent(in) :: which, form
-      real(wp), intent(in) :: phi, x, v
-      real(wp) :: f
-      if (complement(form, x) < 0.0_wp .or. v > 1.0_wp) then
-         f = legendre_at_edge(which, form, phi, x, v)
-      else
-         f = real(double_integral(which, form, real(phi, real64), real(x, real64), real(v, real64)), wp)
-      end if
-   end function legendre_far
-
-
-   elemental function complete_third_far(form, v, x) result(f)
-      integer, intent(in) :: form
-      real(wp), intent(in) :: v, x
-      real(wp) :: f
-      f = real(double_third(form, real(v, real64), real(x, real64)), wp)
-   end function complete_third_far
+   include 'furiko_legendre_by_real64.inc'
 end module furiko_legendre_sp
 
 
@@ -72,4 +51,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 3229838482
+! rooms: 919770613
