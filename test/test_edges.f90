@@ -61,16 +61,16 @@ contains
 
    subroutine test_spread(error)
       type(error_type), allocatable, intent(out) :: error
-      real(wp), parameter :: right(4) = [1.304347826086956576811e154_wp, -4.1105148998006157755e-205_wp, &
-         3152.8472313118261_wp, 1.5281862067991718e-295_wp]
+      real(wp), parameter :: right(5) = [1.304347826086956576811e154_wp, -4.1105148998006157755e-205_wp, &
+         3152.8472313118261_wp, 1.5281862067991718e-295_wp, 5.5817917312021381524e-152_wp]
 
       call check(error, near_to([carlson_rd(0.0_wp, 1.0e308_wp, 2.3e-308_wp), &
          carlson_rj(0.5_wp, 0.25_wp, 1.0_wp, -1.0e205_wp), carlson_rj(0.5_wp, 0.5_wp, 0.5_wp, -least), &
-         carlson_rc(9.03392525287292e-298_wp, -1.9668080218969408e146_wp)], right))
+         carlson_rc(9.03392525287292e-298_wp, -1.9668080218969408e146_wp), carlson_rc(1.7e308_wp, -least)], right))
       if (allocated(error)) return
       call check(error, near_to([carlson_rd([0.0_wp], [1.0e308_wp], [2.3e-308_wp]), &
          carlson_rj([0.5_wp, 0.5_wp], [0.25_wp, 0.5_wp], [1.0_wp, 0.5_wp], [-1.0e205_wp, -least]), &
-         carlson_rc([9.03392525287292e-298_wp], [-1.9668080218969408e146_wp])], right))
+         carlson_rc([9.03392525287292e-298_wp, 1.7e308_wp], [-1.9668080218969408e146_wp, -least])], right))
       if (allocated(error)) return
       ! n far from all: pi/(2 sqrt(-n)); for n > 0 the principal value
       call check(error, near_to([ellippi_mc(-1.0e300_wp, 1.0e-200_wp), ellippi_mc(-1.0e300_wp, 0.5_wp)], &

@@ -162,6 +162,10 @@ class Fault:
         # No line number, so that a result holds when lines are added elsewhere in the file
         self.key = f"{path}: {old.strip()} => {new.strip()}" + (f" ({nth})" if nth > 1 else "")
 
+    @property
+    def change(self):
+        return self.path, f"{self.old.strip()} => {self.new.strip()}"
+
     def __str__(self):
         return f"{self.path}:{self.number + 1}  {self.kind}  {self.old.strip()}  =>  {self.new.strip()}"
 
@@ -191,7 +195,7 @@ def all_faults(seed):
 
 
 def known_equivalent():
-    """File and mutated line, to the reason: blocks of three lines, apart by an empty one"""
+    """File and `line => fault`, to the reason: blocks of three lines, apart by an empty one"""
     reasons = {}
     if EQUIVALENT.exists():
         for block in EQUIVALENT.read_text().split("\n\n"):
@@ -414,7 +418,7 @@ def score(faults, outcome, show):
     for fault in faults:
         result = outcome.get(fault.key, "not run")
         verdict = next((name for name in counts if result.startswith(name)), "not run")
-        if verdict == "survived" and (fault.path, fault.new.strip()) in reasons:
+        if verdict == "survived" and fault.change in reasons:
             verdict = "equivalent"
         counts[verdict] += 1
         if verdict in ("seen", "survived"):
@@ -490,7 +494,7 @@ def main():
     reasons = known_equivalent()
     wanted = [fault for fault in faults if options.again or fault.key not in outcome
               or (options.survivors and outcome[fault.key].startswith("survived")
-                  and (fault.path, fault.new.strip()) not in reasons)]
+                  and fault.change not in reasons)]
     name = hashlib.sha256(str(ROOT).encode()).hexdigest()[:8]
     scratch = pathlib.Path(options.scratch or f"{tempfile.gettempdir()}/furiko-mutate-{name}")
     UNITS = make_order.order("src") + make_order.tests()
