@@ -66,7 +66,8 @@ contains
 
       call check(error, near_to([carlson_rd(0.0_wp, 1.0e308_wp, 2.3e-308_wp), &
          carlson_rj(0.5_wp, 0.25_wp, 1.0_wp, -1.0e205_wp), carlson_rj(0.5_wp, 0.5_wp, 0.5_wp, -least), &
-         carlson_rc(9.03392525287292e-298_wp, -1.9668080218969408e146_wp), carlson_rc(1.7e308_wp, -least)], right))
+         carlson_rc(9.03392525287292e-298_wp, -1.9668080218969408e146_wp), &
+         carlson_rc(1.7e308_wp, -least)], right))
       if (allocated(error)) return
       call check(error, near_to([carlson_rd([0.0_wp], [1.0e308_wp], [2.3e-308_wp]), &
          carlson_rj([0.5_wp, 0.5_wp], [0.25_wp, 0.5_wp], [1.0_wp, 0.5_wp], [-1.0e205_wp, -least]), &
