@@ -299,9 +299,9 @@ contains
    pure function has_noncharacter(text)
       character(len=*), intent(in) :: text
       logical :: has_noncharacter
-      character(len=*), parameter :: before_last = achar(239) // achar(191)
+      character(len=*), parameter :: before_last = char(239) // char(191)
 
-      has_noncharacter = index(text, before_last // achar(190)) + index(text, before_last // achar(191)) > 0
+      has_noncharacter = index(text, before_last // char(190)) + index(text, before_last // char(191)) > 0
    end function has_noncharacter
 
 
