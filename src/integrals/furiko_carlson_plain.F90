@@ -35,4 +35,4 @@ module furiko_carlson_plain_dp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_carlson_plain_dp
-! rooms: 3705240424
+! rooms: 2649024817
