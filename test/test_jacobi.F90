@@ -85,4 +85,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 3818435032
+! rooms: 2056238765
