@@ -12,10 +12,12 @@ program classics
    integer, parameter :: points = 1000
    integer, parameter :: repeats = 15
    character(len=*), parameter :: names(12) = [character(len=37) :: &
-      'series as in the note, 24 terms', 'trapezoid, 7 subintervals', 'AGM as in the note (K and E), 4 steps', &
-      'ellipk_series_k, 24 terms', 'agm_steps_k, 4 steps', 'ellipk_k', &
-      'series as in the note, 48 terms', 'trapezoid, 13 subintervals', 'AGM as in the note (K and E), 5 steps', &
-      'ellipk_series_k, 48 terms', 'agm_steps_k, 5 steps', 'ellipk_k']
+      'series as in the note, 24 terms', 'trapezoid, 7 subintervals', &
+      'AGM as in the note (K and E), 4 steps', 'ellipk_series_k, 24 terms', &
+      'agm_steps_k, 4 steps', 'ellipk_k', &
+      'series as in the note, 48 terms', 'trapezoid, 13 subintervals', &
+      'AGM as in the note (K and E), 5 steps', 'ellipk_series_k, 48 terms', &
+      'agm_steps_k, 5 steps', 'ellipk_k']
    real(qp), parameter :: exact = 1.6857503548125960428712036577990769895008_qp
    real(dp) :: times(size(names))
    real(qp) :: errors(size(names))
