@@ -449,13 +449,13 @@ contains
       real(wp) :: x, y
       integer :: at, comma, next
 
-      allocate(curves(1))
-      allocate(curves(1)%x(0), curves(1)%y(0))
+      allocate(curves(0))
+      call append_empty(curves)
       at = index(csv, nl) + 1
       do while (at <= len(csv))
          next = at + index(csv(at:), nl)
          if (next == at + 1) then
-            if (size(curves(size(curves))%x) > 0) curves = [curves, polyline([real(wp) ::], [real(wp) ::])]
+            if (size(curves(size(curves))%x) > 0) call append_empty(curves)
          else
             comma = at + index(csv(at:next - 2), ',')
             read(csv(comma:next - 2), *) x, y
@@ -467,6 +467,20 @@ contains
          at = next
       end do
    end function data_of
+
+
+   !> One curve more, as yet without points
+   subroutine append_empty(curves)
+      type(polyline), allocatable, intent(inout) :: curves(:)
+      type(polyline), allocatable :: longer(:)
+      integer :: n
+
+      n = size(curves)
+      allocate(longer(n + 1))
+      longer(:n) = curves
+      allocate(longer(n + 1)%x(0), longer(n + 1)%y(0))
+      call move_alloc(longer, curves)
+   end subroutine append_empty
 
 
    !> The longest line in the paths of a piece of SVG: the others are samples in a legend
