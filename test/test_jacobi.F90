@@ -85,4 +85,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 2056238765
+! rooms: 1812496045

@@ -44,4 +44,4 @@ module furiko_quotients_qp
    include 'furiko_quotients.inc'
 end module furiko_quotients_qp
 #endif
-! rooms: 496100420
+! rooms: 1258820679
