@@ -5,7 +5,8 @@
 program jacobi
    use, intrinsic :: iso_c_binding, only : c_int
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
-   use bench_peers, only : boost_jacobi, gsl_elljac
+   use bench_peers, only : boost_jacobi, gsl_elljac, has_boost
+   use bench_table, only : cell, median
    use furiko, only : jacobi_m, modulus, modulus_from_m, motion, pendulum
    implicit none
    integer, parameter :: points = 10000
@@ -25,8 +26,11 @@ program jacobi
    type(modulus) :: p
    type(motion) :: path
    type(pendulum) :: body
-   integer :: i, repeat
+   logical :: there(size(names))
+   integer :: i, j, repeat
 
+   there = .true.
+   there(boost_varying) = has_boost()
    call random_number(u)
    call random_number(m)
    u = 6.0_wp*u
@@ -41,8 +45,10 @@ program jacobi
    call check_values()
    best = minval(times, 1)
    do i = 1, size(names)
-      print '(11a)', '| ', names(i), ' | ', cell(best(i), i), ' | ', cell(median(times(:, i)), i), ' | ', &
-         cell(best(against(i))/best(i), i), ' | ', cell(median(times(:, against(i))/times(:, i)), i), ' |'
+      associate (numbers => [best(i), median(times(:, i)), best(against(i))/best(i), &
+         median(times(:, against(i))/times(:, i))])
+         print '(11a)', '| ', names(i), (' | ', cell(numbers(j), there(i)), j=1, 4), ' |'
+      end associate
    end do
 
 
@@ -124,44 +130,12 @@ contains
       integer :: j
 
       do j = 1, size(names)
-         if (absent(j)) cycle
+         if (.not. there(j)) cycle
          if (.not. all(abs(values(:, j) - values(:, against(j))) <= 1.0e-10_wp)) then
             write(error_unit, '(2a)') 'bench: other values than GSL: ', names(j)
             error stop 1
          end if
       end do
    end subroutine check_values
-
-
-   !> Boost where it is not installed: its values are NaN
-   function absent(case)
-      integer, intent(in) :: case
-      logical :: absent
-
-      absent = case == boost_varying .and. .not. abs(values(1, case)) <= 2.0_wp
-   end function absent
-
-
-   !> A number of the table; a dash where nothing was computed, whose time means nothing
-   function cell(number, case)
-      real(wp), intent(in) :: number
-      integer, intent(in) :: case
-      character(len=8) :: cell
-
-      write(cell, '(f8.1)') number
-      if (absent(case)) cell = '       -'
-   end function cell
-
-
-   pure function median(x)
-      real(wp), intent(in) :: x(:)
-      real(wp) :: median
-      integer :: j
-
-      do j = 1, size(x)
-         median = x(j)
-         if (count(x < median) <= size(x)/2 .and. count(x > median) <= size(x)/2) return
-      end do
-   end function median
 
 end program jacobi

@@ -6,6 +6,7 @@ program main
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
    ! allow(C121)
    use bench_peers
+   use bench_table, only : cell, median
    ! allow(C121)
    use furiko
    implicit none
@@ -18,8 +19,11 @@ program main
    real(wp), dimension(points) :: m, k, n, phi, x, y, z, p
    real(wp) :: values(points, 4), other(points)
    real(wp) :: times(repeats, 4)
+   logical :: there(4)
    integer :: i, peer, repeat
 
+   there = .true.
+   there(boost) = has_boost()
    call random_points()
    do i = 1, size(names)
       do repeat = 1, repeats
@@ -28,9 +32,8 @@ program main
          end do
       end do
       call check_values(i)
-      print '(13a)', '| ', names(i), (' | ', cell(median(times(:, peer)), peer), peer=us, boost), &
-         ' | ', cell(median(times(:, gsl)/times(:, us)), gsl), &
-         ' | ' // cell(median(times(:, boost)/times(:, us)), boost) // ' |'
+      print '(15a)', '| ', names(i), (' | ', cell(median(times(:, peer)), there(peer)), peer=us, boost), &
+         (' | ', cell(median(times(:, peer)/times(:, us)), there(peer)), peer=gsl, boost), ' |'
    end do
 
 
@@ -226,7 +229,7 @@ contains
       logical :: same(points)
 
       do peer = us_scalar, boost
-         if (absent(peer)) cycle
+         if (.not. there(peer)) cycle
          same = abs(values(:, peer)/values(:, us) - 1) < 1.0e-9_wp .or. m > 0.9999_wp
          if (.not. all(same)) then
             write(error_unit, '(3a, i0)') 'bench: ', trim(names(case)), &
@@ -235,37 +238,5 @@ contains
          end if
       end do
    end subroutine check_values
-
-
-   !> Boost where it is not installed: its values are NaN
-   function absent(peer)
-      integer, intent(in) :: peer
-      logical :: absent
-
-      absent = peer == boost .and. .not. abs(values(1, peer)) <= huge(x)
-   end function absent
-
-
-   !> A number of the table; a dash for a peer that is not there, whose time means nothing
-   function cell(number, peer)
-      real(wp), intent(in) :: number
-      integer, intent(in) :: peer
-      character(len=7) :: cell
-
-      write(cell, '(f7.1)') number
-      if (absent(peer)) cell = '      -'
-   end function cell
-
-
-   pure function median(times)
-      real(wp), intent(in) :: times(:)
-      real(wp) :: median
-      integer :: i
-
-      do i = 1, size(times)
-         median = times(i)
-         if (count(times < median) <= size(times)/2 .and. count(times <= median) > size(times)/2) return
-      end do
-   end function median
 
 end program main

@@ -18,6 +18,7 @@ module bench_peers
    public :: gsl_rd, boost_rd
    public :: gsl_rj, boost_rj
    public :: gsl_elljac, boost_jacobi
+   public :: has_boost
 
 
    interface
@@ -208,5 +209,16 @@ module bench_peers
          real(c_double) :: sn
       end function boost_jacobi
    end interface
+
+
+contains
+
+
+   !> Whether Boost is installed: without it all its functions are NaN
+   function has_boost()
+      logical :: has_boost
+
+      has_boost = boost_k(0.5_c_double) > 0.0_c_double
+   end function has_boost
 
 end module bench_peers
