@@ -174,6 +174,7 @@ contains
       power = 0
       if (mark < len(text)) call read_whole(text(mark + 1:), power, valid)
       valid = abs(power) < 4000
+      if (.not. valid) return
       start = 1
       if (scan(text, '+-') == 1) start = 2
       point = scan(text(:mark - 1) // '.', '.')

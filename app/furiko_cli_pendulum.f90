@@ -5,9 +5,9 @@ module furiko_cli_pendulum
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : pendulum
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_quantity, only : angle_of, metres, number_of, pure_number
+   use furiko_cli_quantity, only : angle_of, is_below_half_turn, metres, number_of, pure_number
    use furiko_cli_terminal, only : refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(-)
+   use furiko_double_word, only : double_word
    implicit none
    private
    public :: read_pendulum_option, amplitude_of, angle_at_start, rate_at_start
@@ -30,12 +30,10 @@ contains
       word = value_of(command, option, arguments)
       if (option == '--length') then
          body%length = number_of(command // ': ' // option, word, metres)
-         if (.not. in_range(body%length)) call refuse(command // ': ' // option // ' ' // word // &
-            ' is outside 1e-100 <= length <= 1e100 m')
+         call demand(in_range(body%length), command, option, word, '1e-100 <= length <= 1e100 m')
       else
          body%gravity = number_of(command // ': ' // option, word, pure_number(:0))
-         if (.not. in_range(body%gravity)) call refuse(command // ': ' // option // ' ' // word // &
-            ' is outside 1e-100 <= gravity <= 1e100 m/s^2')
+         call demand(in_range(body%gravity), command, option, word, '1e-100 <= gravity <= 1e100 m/s^2')
       end if
    end subroutine read_pendulum_option
 
@@ -46,13 +44,9 @@ contains
       character(len=*), intent(in) :: option
       character(len=*), intent(in) :: word
       type(double_word) :: amplitude
-      type(double_word) :: beyond
 
       amplitude = angle_of(command // ': ' // option, word)
-      beyond = double_word(abs(amplitude%hi), sign(amplitude%lo, amplitude%hi*amplitude%lo)) - double_word_pi
-      if (.not. beyond%hi < 0.0_wp) then
-         call refuse(command // ': ' // option // ' ' // word // ' is outside -180 < angle < 180 degrees')
-      end if
+      call demand(is_below_half_turn(amplitude), command, option, word, '-180 < angle < 180 degrees')
    end function amplitude_of
 
 
@@ -64,9 +58,7 @@ contains
       real(wp), parameter :: most = 1.0e9_wp*acos(-1.0_wp)/180
 
       angle = angle_of(command // ': ' // option, word)
-      if (abs(angle%hi) > most) then
-         call refuse(command // ': ' // option // ' ' // word // ' is outside -1e9 <= angle <= 1e9 degrees')
-      end if
+      call demand(abs(angle%hi) <= most, command, option, word, '-1e9 <= angle <= 1e9 degrees')
    end function angle_at_start
 
 
@@ -77,10 +69,20 @@ contains
       real(wp) :: rate
 
       rate = number_of(command // ': ' // option, word, pure_number(:0))
-      if (abs(rate) > 1.0e100_wp) then
-         call refuse(command // ': ' // option // ' ' // word // ' is outside -1e100 <= rate <= 1e100 rad/s')
-      end if
+      call demand(abs(rate) <= 1.0e100_wp, command, option, word, '-1e100 <= rate <= 1e100 rad/s')
    end function rate_at_start
+
+
+   !> Refuse a value that is outside its range.
+   subroutine demand(inside, command, option, word, range)
+      logical, intent(in) :: inside
+      character(len=*), intent(in) :: command
+      character(len=*), intent(in) :: option
+      character(len=*), intent(in) :: word
+      character(len=*), intent(in) :: range
+
+      if (.not. inside) call refuse(command // ': ' // option // ' ' // word // ' is outside ' // range)
+   end subroutine demand
 
 
    !> Lengths and gravities that no intermediate result can overflow with

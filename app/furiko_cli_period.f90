@@ -7,7 +7,7 @@ module furiko_cli_period
       period_ratio_series
    use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_pendulum, only : read_pendulum_option
-   use furiko_cli_quantity, only : angle_of, integer_of, number_of, pure_number
+   use furiko_cli_quantity, only : angle_of, integer_of, is_below_half_turn, number_of, pure_number
    use furiko_cli_sheet, only : begin_sheet, sheet
    use furiko_cli_terminal, only : finish, put, refuse
    use furiko_double_word, only : double_word, double_word_pi, &
@@ -237,11 +237,9 @@ contains
       character(len=*), intent(in) :: command
       character(len=*), intent(in) :: word
       type(double_word) :: amplitude
-      type(double_word) :: beyond
 
       amplitude = angle_of(command // ': the amplitude', word)
-      beyond = amplitude - double_word_pi
-      if (amplitude%hi < 0.0_wp .or. .not. beyond%hi < 0.0_wp) then
+      if (amplitude%hi < 0.0_wp .or. .not. is_below_half_turn(amplitude)) then
          call refuse(command // ': the amplitude ' // word // ' is outside 0 <= A < 180 degrees')
       end if
    end function swing_of

@@ -4,9 +4,9 @@
 module furiko_cli_plot
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_quantity, only : angle_of
+   use furiko_cli_quantity, only : angle_of, is_below_half_turn
    use furiko_cli_terminal, only : finish, put, refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(-)
+   use furiko_double_word, only : double_word
    use furiko_figure, only : amplitude, figure
    use furiko_figure_accuracy, only : accuracy_figure
    use furiko_figure_converge, only : converge_figure
@@ -223,12 +223,11 @@ contains
    function amplitude_of(word) result(self)
       character(len=*), intent(in) :: word
       type(amplitude) :: self
-      type(double_word) :: angle, gap
+      type(double_word) :: angle
       integer :: last
 
       angle = angle_of('furiko plot: --amplitude', word)
-      gap = double_word_pi - angle
-      if (angle%hi <= 0.0_wp .or. gap%hi <= 0.0_wp) then
+      if (angle%hi <= 0.0_wp .or. .not. is_below_half_turn(angle)) then
          call reject('--amplitude ' // word // ' is outside 0 < amplitude < 180 degrees')
       end if
       last = verify(word, 'adegr', back=.true.)

@@ -7,10 +7,10 @@ module furiko_cli_quantity
    use furiko_cli_decimal, only : decimal, read_decimal, to_double_word
    use furiko_cli_number, only : is_number, read_whole
    use furiko_cli_terminal, only : refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(*), operator(/)
+   use furiko_double_word, only : double_word, double_word_pi, operator(-), operator(*), operator(/)
    implicit none
    private
-   public :: angle_of, number_of, integer_of, unit, metres, seconds, pure_number
+   public :: angle_of, is_below_half_turn, number_of, integer_of, unit, metres, seconds, pure_number
 
 
    !> A unit and its size in the unit that the program computes in
@@ -48,6 +48,17 @@ contains
          call refuse(what // " '" // word // "' is not a number of this range")
       end if
    end function angle_of
+
+
+   !> Whether an angle is within pi on either side, to 30 digits
+   pure function is_below_half_turn(angle) result(yes)
+      type(double_word), intent(in) :: angle
+      logical :: yes
+      type(double_word) :: beyond
+
+      beyond = double_word(abs(angle%hi), sign(angle%lo, angle%hi*angle%lo)) - double_word_pi
+      yes = beyond%hi < 0.0_wp
+   end function is_below_half_turn
 
 
    !> A number in one of `units`; without a unit it stands as it is.

@@ -131,7 +131,6 @@ contains
       character(len=*), intent(in) :: title
       !> Whether files of these names may be replaced
       logical, intent(in) :: replace
-
       logical :: taken
 
       taken = is_there('../' // self%stem // '.csv')

@@ -22,3 +22,4 @@ module bench_classics_qp
    include 'bench_classics.inc'
 #endif
 end module bench_classics_qp
+! rooms: 3860846342
