@@ -8,6 +8,7 @@ module test_motion_sp
       ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion => motion_real32, &
       pendulum => pendulum_real32, period_excess, period_ratio
+   use test_by_name_sp, only : motion_from, yardstick
    use test_measurement, only : unpack
    use test_program, only : test_folder
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
@@ -25,6 +26,7 @@ module test_motion_dp
       ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion, pendulum, &
       period_excess, period_ratio
+   use test_by_name_dp, only : motion_from, yardstick
    use test_measurement, only : unpack
    use test_program, only : test_folder
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
@@ -43,6 +45,7 @@ module test_motion_qp
       ieee_overflow, ieee_set_flag, ieee_usual
    use furiko, only : amplitude_of_excess, amplitude_of_period, ellipf_k, motion => motion_real128, &
       pendulum => pendulum_real128, period_excess, period_ratio
+   use test_by_name_qp, only : motion_from, yardstick
    use test_measurement, only : unpack
    use test_program, only : test_folder
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
@@ -52,4 +55,4 @@ module test_motion_qp
    include 'test_motion.inc'
 end module test_motion_qp
 #endif
-! rooms: 1465045795
+! rooms: 3328831634

@@ -53,4 +53,4 @@ module test_special_qp
    include 'test_special.inc'
 end module test_special_qp
 #endif
-! rooms: 2053848218
+! rooms: 3651636184
