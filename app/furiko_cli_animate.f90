@@ -4,55 +4,40 @@
 module furiko_cli_animate
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : furiko_version, nome_m, nome_mc
-   use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_decimal, only : decimal, to_double_word
-   use furiko_cli_output, only : open_output, output
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_files, only : open_output, output
+   use furiko_cli_options, only : command, command_line, option, word
    use furiko_double_word, only : double_word, double_word_pi, sin, operator(*), operator(/)
    use furiko_period_degrees, only : period_ratio_degrees
    implicit none
    private
-   public :: animate_command
-
-
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko animate -o FILE' // nl // nl // &
-      'The pendulum in motion: one page that any browser opens from disk, without a network. It' // &
-      nl // 'shows the exact pendulum beside the small-angle one, or beside another exact one, with' // &
-      nl // 'traces, phase portrait and period ratio, for amplitudes from 0 to 179.9 degrees.' // nl // &
-      nl // '  -o FILE      the page to write, - for standard output; a file of that name is' // nl // &
-      '  --output     replaced once the new one is whole' // nl // nl // &
-      'Example:' // nl // nl // &
-      '  furiko animate -o pendulum.html'
+   public :: animate_usage
 
 
 contains
 
 
-   !> Parse the words that follow `animate`, then write the page.
-   subroutine animate_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      type(output) :: page
-      character(len=:), allocatable :: file, option
+   function animate_usage() result(usage)
+      type(command) :: usage
 
-      file = ''
-      do while (.not. arguments%done())
-         option = arguments%word()
-         call arguments%advance()
-         select case (option)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('-o', '--output')
-            file = value_of('furiko animate', option, arguments)
-         case default
-            call refuse("furiko animate: unknown word '" // option // "'; see furiko animate --help")
-         end select
-      end do
-      if (file == '') call refuse('furiko animate: name the page to write, as in -o pendulum.html')
-      page = open_output(file)
+      usage = command('animate', 'the pendulum in motion, as a page for the browser', '-o FILE', 0, &
+         'The pendulum in motion: one page that any browser opens from disk, without a network. It ' // &
+         'shows the exact pendulum beside the small-angle one, or beside another exact one, with ' // &
+         'traces, phase portrait and period ratio, for amplitudes from 0 to 179.9 degrees.', &
+         example='furiko animate -o pendulum.html', options=[ &
+         option('--output', 'FILE', '', 'the page to write, - for standard output; a file of that name ' // &
+            'is replaced once the new one is whole', 'o')], run=animate_command)
+   end function animate_usage
+
+
+   subroutine animate_command(line)
+      type(command_line), intent(in) :: line
+      type(output) :: page
+      type(word) :: file
+
+      file = line%value('--output')
+      if (file%text == '') call line%reject('name the page to write, as in -o pendulum.html')
+      page = open_output(file%text)
       call put_page(page)
       call page%close()
    end subroutine animate_command
@@ -112,4 +97,4 @@ contains
    include 'furiko_cli_page.inc'
 
 end module furiko_cli_animate
-! rooms: 3224500294
+! rooms: 474001326

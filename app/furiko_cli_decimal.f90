@@ -3,7 +3,7 @@
 !> Decimal numbers as people type them, kept exact: 179.999999 is not what a real makes of it.
 module furiko_cli_decimal
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_number, only : exponent_mark, is_number, read_whole
+   use furiko_cli_number, only : numeral, take_apart
    use furiko_double_word, only : double_word, operator(-), operator(*), operator(/)
    implicit none
    private
@@ -17,8 +17,7 @@ module furiko_cli_decimal
    end type decimal
 
 
-   !> Bounds that keep sums of a few such numbers, at a common number of places, within int64
-   integer, parameter :: most_figures = 18
+   !> Keeps sums of a few such numbers, at a common number of places, within int64
    integer, parameter :: most_places = 15
 
 
@@ -31,33 +30,16 @@ contains
       character(len=*), intent(in) :: text
       type(decimal), intent(out) :: number
       logical, intent(out) :: valid
-      character(len=:), allocatable :: figures
-      integer(int64) :: power
-      integer :: mark, point, start
+      type(numeral) :: parts
 
-      valid = .false.
-      if (.not. is_number(text)) return
-      mark = exponent_mark(text)
-      power = 0
-      if (mark <= len(text)) then
-         call read_whole(text(mark + 1:), power, valid)
-         valid = .false.
-         if (abs(power) > 99) return
-      end if
-      start = 1
-      if (scan(text, '+-') == 1) start = 2
-      point = scan(text(:mark - 1) // '.', '.')
-      figures = text(start:point - 1) // text(point + 1:mark - 1)
-      number%places = max(0, mark - 1 - point) - int(power)
-      if (number%places < 0) figures = figures // repeat('0', min(-number%places, most_figures))
-      number%places = max(0, number%places)
-      figures = figures(verify(figures // '1', '0'):)
-      if (len(figures) > most_figures .or. number%places > most_places) return
-      if (len(figures) - number%places > 3) return
-
-      if (len(figures) > 0) read(figures, '(i18)') number%digits
-      if (text(1:1) == '-') number%digits = -number%digits
-      valid = .true.
+      call take_apart(text, parts, valid)
+      number%places = max(0, -parts%power)
+      valid = valid .and. .not. (parts%more .or. parts%bare) .and. number%places <= most_places .and. &
+         (parts%power < 3 .or. parts%figures == 0)
+      if (.not. valid) return
+      number%digits = parts%figures*10_int64**max(0, min(parts%power, 2))
+      valid = number%digits < 10_int64**(number%places + 3)
+      if (parts%negative) number%digits = -number%digits
    end subroutine read_decimal
 
 
@@ -71,7 +53,7 @@ contains
    end function rescale
 
 
-   !> All its places, and no blanks: 7, 0.50, 179.999999. For numbers >= 0.
+   !> All its places, and no blanks: 7, 0.50, -179.999999
    pure function to_text(number) result(text)
       type(decimal), intent(in) :: number
       character(len=:), allocatable :: text
@@ -80,7 +62,7 @@ contains
       integer :: place
 
       ! by hand: an internal write takes ten times as long
-      rest = number%digits
+      rest = abs(number%digits)
       place = len(buffer)
       do
          buffer(place:place) = achar(iachar('0') + int(mod(rest, 10_int64)))
@@ -89,8 +71,9 @@ contains
          place = place - 1
       end do
       text = buffer(place:)
-      if (number%places == 0) return
-      text = text(:len(text) - number%places) // '.' // text(len(text) - number%places + 1:)
+      if (number%places > 0) text = text(:len(text) - number%places) // '.' // &
+         text(len(text) - number%places + 1:)
+      if (number%digits < 0) text = '-' // text
    end function to_text
 
 
@@ -105,20 +88,18 @@ contains
    end function to_double_word
 
 
-   !> x >= 0, below 9000, correctly rounded to 15 decimals.
-   pure function fixed(x) result(text)
+   !> x rounded to a number of decimal places, for x times 10**places below 9e18
+   pure function fixed(x, places) result(text)
       type(double_word), intent(in) :: x
+      integer, intent(in) :: places
       character(len=:), allocatable :: text
-      integer(int64), parameter :: unit = 10_int64**15
-      type(double_word) :: rest
-      integer(int64) :: units, whole
+      type(double_word) :: scaled
+      integer(int64) :: units
 
-      whole = int(x%hi, int64)
-      rest = (x - double_word(real(whole, wp)))*double_word(real(unit, wp))
-      units = nint(rest%hi, int64)
-      rest = rest - double_word(real(units, wp))
-      units = whole*unit + units + nint(rest%hi, int64)
-      text = to_text(decimal(units, 15))
+      scaled = x*double_word(10.0_wp**places)
+      units = nint(scaled%hi, int64)
+      scaled = scaled - double_word(real(units, wp))
+      text = to_text(decimal(units + nint(scaled%hi, int64), places))
    end function fixed
 
 end module furiko_cli_decimal

@@ -3,72 +3,62 @@
 
 !> `furiko digits`: K to 33 digits by real128 in two words; digits/ takes over beyond.
 module furiko_cli_digits
+   use, intrinsic :: iso_fortran_env, only : int64
 #ifdef FURIKO_REAL128
-   use, intrinsic :: iso_fortran_env, only : int64, wp => real128
+   use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_word_arithmetic_qp, only : words, pi_words, sqrt, value, operator(+), operator(-), &
       operator(*), operator(/)
 #endif
-   use furiko_cli_arguments, only : argument_reader, value_of
    use furiko_cli_number, only : exponent_mark, is_number, read_whole
-   use furiko_cli_quantity, only : integer_of
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_io, only : finish, put, refuse
+   use furiko_cli_options, only : command, command_line, demand, option, word
+   use furiko_cli_quantity, only : whole_of
+   use furiko_cli_text, only : whole_text
    implicit none
    private
-   public :: digits_command
+   public :: digits_usage
 
 
-   character(len=*), parameter :: command = 'furiko digits'
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko digits --k K [--digits N]' // nl // nl // &
-      'The complete elliptic integral K(K) to N significant digits, correctly rounded.' // nl // nl // &
-      '  --k K         modulus, -1 < K < 1, a decimal or a fraction, taken exactly (1/2)' // nl // &
-      '  --digits N    2 to 33 (33); for any number of digits: sh digits/run --k K --digits N' // &
-      nl // nl // 'Example:' // nl // nl // &
-      '  furiko digits --k 1/2 --digits 33'
+   character(len=*), parameter :: name = 'furiko digits'
 
 
 contains
 
 
-   subroutine digits_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      character(len=:), allocatable :: k, option
-      integer :: count
+   function digits_usage() result(usage)
+      type(command) :: usage
 
-      k = '1/2'
-      count = 33
-      do while (.not. arguments%done())
-         option = arguments%word()
-         call arguments%advance()
-         select case (option)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('--k')
-            k = value_of(command, option, arguments)
-         case ('--digits')
-            count = count_of(value_of(command, option, arguments), k)
-         case default
-            call refuse(command // ": unknown word '" // option // "'; see furiko digits --help")
-         end select
-      end do
-      call put(quarter_period(k, count))
+      usage = command('digits', 'K to 33 digits', '', 0, &
+         'The complete elliptic integral K(k) to N significant digits, correctly rounded. For any ' // &
+         'number of digits: sh digits/run --k K --digits N', &
+         example='furiko digits --k 1/2 --digits 33', options=[ &
+         option('--k', 'K', '1/2', 'modulus, -1 < K < 1, a decimal or a fraction, taken exactly'), &
+         option('--digits', 'N', '33', '2 to 33')], run=digits_command)
+   end function digits_usage
+
+
+   subroutine digits_command(line)
+      type(command_line), intent(in) :: line
+      type(word) :: k
+
+      k = line%value('--k')
+      call put(quarter_period(k%text, count_of(line%value('--digits'), k%text)))
       call finish()
    end subroutine digits_command
 
 
-   function count_of(word, k) result(count)
-      character(len=*), intent(in) :: word
+   function count_of(given, k) result(count)
+      type(word), intent(in) :: given
       character(len=*), intent(in) :: k
       integer :: count
+      integer, parameter :: most = 33
+      integer(int64) :: asked
+      logical :: valid
 
-      count = integer_of(command // ': --digits', word, 2, huge(count))
-      if (count > 33) then
-         call refuse(command // ': --digits ' // word // ' is outside 2 to 33; for more: sh digits/run --k ' &
-            // k // ' --digits ' // word)
-      end if
+      call read_whole(given%text, asked, valid)
+      call demand(.not. valid .or. asked <= most, given, '2 to 33; for more: sh digits/run --k ' // k // &
+         ' --digits ' // given%text)
+      count = whole_of(given, 2, most)
    end function count_of
 
 
@@ -87,16 +77,16 @@ contains
 
       y = '' ! for gfortran, which sees a length that was never set
       call read_fraction(word, x, y, valid)
-      if (.not. valid) call refuse(command // ": --k '" // word // "' is not a number")
-      if (len(y) > most_figures) call refuse(command // ': --k ' // word // ' has too many figures; ' // &
+      if (.not. valid) call refuse(name // ": --k '" // word // "' is not a number")
+      if (len(y) > most_figures) call refuse(name // ': --k ' // word // ' has too many figures; ' // &
          elsewhere(word, count))
-      if (.not. llt(x, y)) call refuse(command // ': --k ' // word // ' is outside -1 < k < 1')
+      if (.not. llt(x, y)) call refuse(name // ': --k ' // word // ' is outside -1 < k < 1')
       per_y = 1.0_wp/words_of(y)
       k = pi_words/twice_mean((words_of(sum_of(y, x, -1))*per_y)*(words_of(sum_of(y, x, 1))*per_y))
       ! a sum or product in words errs by less than 16 epsilon^2; two for each figure, and 150 more
       margin = (32.0_wp*len(y) + 2400.0_wp)*epsilon(1.0_wp)**2*k
       text = decimals(k - margin, count)
-      if (text /= decimals(k + margin, count)) call refuse(command // ': K is too near to the middle of ' // &
+      if (text /= decimals(k + margin, count)) call refuse(name // ': K is too near to the middle of ' // &
          'two numbers to be rounded here; ' // elsewhere(word, count))
    end function quarter_period
 
@@ -106,10 +96,8 @@ contains
       character(len=*), intent(in) :: word
       integer, intent(in) :: count
       character(len=:), allocatable :: text
-      character(len=12) :: number
 
-      write(number, '(i0)') count
-      text = 'instead: sh digits/run --k ' // word // ' --digits ' // trim(number)
+      text = 'instead: sh digits/run --k ' // word // ' --digits ' // whole_text(count)
    end function elsewhere
 
 
@@ -221,11 +209,9 @@ contains
       integer, intent(in) :: count
       character(len=:), allocatable :: text
       type(words) :: rest
-      character(len=12) :: buffer
       integer :: i, figure, point
 
-      write(buffer, '(i0)') whole_part(x)
-      point = len_trim(buffer)
+      point = len(whole_text(whole_part(x)))
       ! half a unit of the last digit, and cut
       rest = x/10.0_wp**(point - 1) + words(5.0_wp)/10.0_wp**count
       if (whole_part(rest) > 9) then
@@ -241,8 +227,7 @@ contains
       if (point < count) then
          text = text(:point) // '.' // text(point + 1:)
       else if (point > count) then
-         write(buffer, '(i0)') point - 1
-         text = text(1:1) // '.' // text(2:) // 'e' // trim(buffer)
+         text = text(1:1) // '.' // text(2:) // 'e' // whole_text(point - 1)
       end if
    end function decimals
 
@@ -261,12 +246,10 @@ contains
       character(len=*), intent(in) :: word
       integer, intent(in) :: count
       character(len=:), allocatable :: text
-      character(len=12) :: number
 
-      write(number, '(i0)') count
       text = ''
-      call refuse(command // ': this compiler has no real128; instead: sh digits/run --k ' // word // &
-         ' --digits ' // trim(number))
+      call refuse(name // ': this compiler has no real128; instead: sh digits/run --k ' // word // &
+         ' --digits ' // whole_text(count))
    end function quarter_period
 #endif
 

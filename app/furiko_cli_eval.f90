@@ -1,66 +1,62 @@
 ! SPDX-License-Identifier: MIT
 
-!> `furiko eval`: any function of the library on rows of arguments from standard input.
+!> `furiko eval`: a function of the catalogue on rows of arguments from standard input.
 module furiko_cli_eval
    use furiko_catalogue, only : catalogue, catalogue_entry, find_entry
-   use furiko_cli_arguments, only : argument_reader, value_of
+   use furiko_cli_io, only : finish, put
+   use furiko_cli_options, only : command, command_line, option, word
+   use furiko_cli_request, only : request_for
    use furiko_cli_rows, only : evaluate_rows
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_sheet, only : format_option
+   use furiko_cli_text, only : suggestion
    implicit none
    private
-   public :: eval_command
-
-
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko eval NAME [--kind real32|real64|real128]' // nl // &
-      'furiko eval --list' // nl // nl // &
-      'The function NAME on rows of arguments read from standard input, one row of results for' // &
-      nl // 'each, with digits enough to read it back exactly. Arguments stand apart by blanks, tabs' // &
-      nl // 'or commas; inf and nan are numbers; blank lines and lines that begin with # are skipped.' // &
-      nl // 'A bad row ends it, with its line number; the rows before it have been answered.' // nl // &
-      '--list names the functions, their arguments and results; angles are in radians.' // nl // &
-      'Example:' // nl // nl // &
-      '  echo 0.25 | furiko eval ellipke_m'
+   public :: eval_usage
 
 
 contains
 
 
-   !> Parse the words that follow `eval`, then answer.
-   subroutine eval_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      type(catalogue_entry) :: entry
-      character(len=:), allocatable :: kind_name, word
+   function eval_usage() result(usage)
+      type(command) :: usage
 
-      entry = catalogue_entry('', '', '', '')
-      kind_name = 'real64'
-      do while (.not. arguments%done())
-         word = arguments%word()
-         call arguments%advance()
-         select case (word)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('--list')
-            call print_list()
-            return
-         case ('--kind')
-            kind_name = value_of('furiko eval', word, arguments)
-            if (all(kind_name /= [character(len=7) :: 'real32', 'real64', 'real128'])) then
-               call reject("--kind '" // kind_name // "' is none of real32, real64, real128")
-            end if
-         case default
-            if (entry%name /= '') call reject("unknown word '" // word // "'; see furiko eval --help")
-            entry = find_entry(word)
-            if (entry%name == '') then
-               call reject("no function '" // word // "'; furiko eval --list names all")
-            end if
-         end select
-      end do
-      if (entry%name == '') call reject('name a function; furiko eval --list names all')
-      call evaluate_rows(entry, kind_name)
+      usage = command('eval', 'functions of the library on rows of arguments', 'NAME', 1, &
+         'The function NAME on rows of arguments read from standard input, one row of results for each, ' // &
+         'with digits enough to read it back exactly. Angles are in radians.', &
+         'Arguments stand apart by semicolons if the row has one; if not, by commas; if not, by tabs; ' // &
+         'if not, by blanks. Nothing between two semicolons, commas or tabs is refused. Numbers have a ' // &
+         'decimal point and may stand in quotes; inf and nan are numbers. Blank lines and lines that ' // &
+         'begin with # are skipped; the first row may be one of names, which csv and json print for the ' // &
+         'columns that pass through. A bad row ends it, with its line and column; the rows before it ' // &
+         'have been answered. A line has at most a million characters.', &
+         'echo 0.25 | furiko eval ellipke_m', options=[ &
+         option('--list', about='the functions, their arguments and results'), &
+         option('--kind', 'real32|real64|real128', 'real64', 'of the numbers'), &
+         option('--columns', 'LIST', '', 'which arguments and results to print, as phi,m,F (all results)'), &
+         format_option], run=eval_command)
+   end function eval_usage
+
+
+   subroutine eval_command(line)
+      type(command_line), intent(in) :: line
+      type(catalogue_entry) :: entry
+      type(word) :: columns, form, kind_name
+      integer :: i
+
+      if (line%given('--list')) then
+         call print_list()
+         return
+      end if
+      if (size(line%operands) == 0) call line%reject('name a function; furiko eval --list names all')
+      entry = find_entry(line%operands(1)%text)
+      if (entry%name == '') call line%reject("no function '" // line%operands(1)%text // "'; " // &
+         suggestion(line%operands(1)%text, [(catalogue(i)%name, i=1, size(catalogue))], &
+         'furiko eval --list names all'))
+      columns = line%value('--columns')
+      if (line%given('--columns') .and. columns%text == '') call line%reject('--columns names no column')
+      form = line%value('--format')
+      kind_name = line%value('--kind')
+      call evaluate_rows(request_for(entry, form%text, columns%text), kind_name%text)
       call finish()
    end subroutine eval_command
 
@@ -74,12 +70,5 @@ contains
       end do
       call finish()
    end subroutine print_list
-
-
-   subroutine reject(message)
-      character(len=*), intent(in) :: message
-
-      call refuse('furiko eval: ' // message)
-   end subroutine reject
 
 end module furiko_cli_eval

@@ -1,275 +1,240 @@
 ! SPDX-License-Identifier: MIT
 
-!> `furiko motion`: where the pendulum is, time by time.
+!> `furiko motion` and `furiko time`: where the pendulum is at a time, and when it is somewhere.
 module furiko_cli_motion
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : motion, pendulum, pendulum_rk4
-   use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_pendulum, only : amplitude_of, angle_at_start, rate_at_start, read_pendulum_option
-   use furiko_cli_quantity, only : number_of, seconds
-   use furiko_cli_sheet, only : begin_sheet, sheet
-   use furiko_cli_terminal, only : finish, put, refuse
-   use furiko_double_word, only : double_word
+   use furiko_cli_io, only : finish, refuse
+   use furiko_cli_options, only : command, command_line, demand, option, word
+   use furiko_cli_pendulum, only : gravity_option, length_option, motion_of, pendulum_of, start_options
+   use furiko_cli_quantity, only : angle_of, in_degrees, number_of, seconds
+   use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places, powers, sheet, whole
+   use furiko_cli_text, only : cut, suggestion
+   use furiko_double_word, only : double_word, operator(+), operator(-), operator(*), &
+      operator(/)
    implicit none
    private
-   public :: motion_command
+   public :: motion_usage, time_usage
 
 
-   character(len=*), parameter :: command = 'furiko motion'
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko motion START [--from T] [--to T] [--step DT] [--columns LIST] [--format F]' // nl // &
-      '              [--length L] [--gravity G]' // nl // nl // &
-      'The exact motion of a pendulum, a row for each time. START is one of' // nl // nl // &
-      '  --amplitude A       through the bottom at the time 0, swinging out to A (below 180deg)' // nl // &
-      '  --release A         let go at A at the time 0' // nl // &
-      '  --angle A --rate R  any state at the time 0: also over the top; R in rad/s (0)' // nl // nl // &
-      'Angles are in degrees, or as 1rad. Further:' // nl // nl // &
-      '  --from T, --to T    first and last time in seconds, or as 500ms, 2min (0, 10)' // nl // &
-      '  --step DT           distance of the rows (0.01)' // nl // &
-      '  --columns LIST      any of time,angle,harmonic,degrees,rate,energy,tension,turns,phase,rk4,' // &
-      nl // '                      error (time,angle,harmonic): angles in radians but for degrees;' // nl // &
-      '                      harmonic is the small-angle motion from the same start; energy over' // nl // &
-      '                      m l^2; tension over the weight; rk4 by Runge-Kutta, a step a row,' // nl // &
-      '                      and its error' // nl // &
-      '  --length L          metres, or as 25cm (1)' // nl // &
-      '  --gravity G         m/s^2 (9.80665)' // nl // &
-      '  --format F          text (six decimals, as the lecture note''s furiko.c), csv or json (text)' // &
-      nl // nl // 'Example, the note''s:' // nl // nl // &
-      '  furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8'
-   character(len=*), parameter :: known_columns(*) = [character(len=8) :: 'time', 'angle', &
-      'harmonic', 'degrees', 'rate', 'energy', 'tension', 'turns', 'phase', 'rk4', 'error']
-   character(len=*), parameter :: units(*) = [character(len=6) :: 's', 'rad', 'rad', '', &
-      'rad_s', 's_2', '', '', '', 'rad', 'rad']
-
-
+   !> What --columns may name, and how it is written
+   character(len=8), parameter :: names(*) = [character(len=8) :: 'time', 'angle', 'harmonic', &
+      'degrees', 'rate', 'energy', 'tension', 'turns', 'phase', 'rk4', 'error']
+   type(column), parameter :: columns(*) = [column('time_s', places, 6, 12), &
+      column('angle_rad', places, 6, 12), column('harmonic_rad', places, 6, 12), &
+      column('degrees', places, 6, 10), column('rate_rad_s', places, 6, 12), &
+      column('energy_s_2', places, 6, 12), column('tension', places, 6, 10), column('turns', whole), &
+      column('phase', places, 6, 12), column('rk4_rad', places, 6, 12), column('error_rad', powers, 3)]
+   character(len=*), parameter :: usual_columns = 'time,angle,harmonic'
    real(wp), parameter :: most_rows = 1.0e12_wp
-
-
-   !> What the command line asks for
-   type :: request
-      type(pendulum) :: body
-      !> The option that names the start
-      character(len=:), allocatable :: start
-      type(double_word) :: angle
-      real(wp) :: rate = 0.0_wp
-      logical :: has_rate = .false.
-      real(wp) :: from = 0.0_wp
-      real(wp) :: to = 10.0_wp
-      real(wp) :: step = 0.01_wp
-      !> The three as they were typed
-      character(len=:), allocatable :: from_word, to_word, step_word
-      character(len=8), allocatable :: columns(:)
-      character(len=:), allocatable :: form
-   end type request
 
 
 contains
 
 
-   subroutine motion_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      type(request) :: wish
-      character(len=:), allocatable :: option
-      logical :: known
+   function motion_usage() result(usage)
+      type(command) :: usage
 
-      wish%start = ''
-      wish%form = 'text'
-      wish%columns = known_columns(:3)
-      wish%from_word = '0'
-      wish%to_word = '10'
-      wish%step_word = '0.01'
-      do while (.not. arguments%done())
-         option = arguments%word()
-         call arguments%advance()
-         select case (option)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('--format')
-            wish%form = value_of(command, option, arguments)
-         case ('--columns')
-            call read_columns(value_of(command, option, arguments), wish%columns)
-         case ('--amplitude', '--release', '--angle', '--rate')
-            call read_start(option, value_of(command, option, arguments), wish)
-         case ('--from', '--to', '--step')
-            call read_time(option, value_of(command, option, arguments), wish)
-         case default
-            call read_pendulum_option(command, option, arguments, wish%body, known)
-            if (.not. known) call reject("unknown word '" // option // "'; see furiko motion --help")
-         end select
+      usage = command('motion', 'where the pendulum is, time by time', '', 0, &
+         'The exact motion of a pendulum, a row for each time, from a start that --amplitude, --release ' // &
+         'or --angle names; angles in degrees, or as 1rad.', &
+         'The columns are time, angle, harmonic (the small-angle motion from the same start), rk4 (by ' // &
+         'Runge-Kutta, a step a row) and its error, all angles in radians; degrees; rate; energy ' // &
+         '(rate^2/2 - (g/l) cos(angle), that is, over m l^2); tension (over the weight); turns; phase ' // &
+         '(the part of a period since the bottom). Without --columns the text is that of the lecture ' // &
+         'note''s furiko.c, without a head.', &
+         'furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8', options=[ &
+         start_options, &
+         option('--at', 'T', '', 'one time in seconds, or as 500ms, 2min'), &
+         option('--from', 'T', '0', 'first time'), &
+         option('--to', 'T', '10', 'last time'), &
+         option('--step', 'DT', '0.01', 'distance of the rows'), &
+         option('--columns', 'LIST', '', 'which columns, as ' // usual_columns), &
+         length_option, gravity_option, format_option], run=motion_command)
+   end function motion_usage
+
+
+   subroutine motion_command(line)
+      type(command_line), intent(in) :: line
+      type(motion) :: path
+      type(pendulum) :: body
+      type(word) :: list
+      type(sheet) :: page
+      type(double_word) :: from, step
+      integer, allocatable :: chosen(:)
+      real(wp) :: rk4(2)
+      integer(int64) :: i, last
+
+      list = line%value('--columns')
+      if (.not. line%given('--columns')) list%text = usual_columns
+      call read_columns(list, chosen)
+      call read_times(line, from, step, last)
+      body = pendulum_of(line)
+      path = motion_of(line, body)
+
+      if (line%given('--columns')) then
+         page = begin_sheet(line, columns(chosen), rows=last + 1)
+      else
+         page = begin_sheet(line, free(columns(chosen)), .true., last + 1)
+      end if
+      rk4 = [path%angle(from%hi), path%rate(from%hi)]
+      do i = 0, last
+         call page%row(values(path, body, chosen, from + double_word(real(i, wp))*step, rk4(1)))
+         call pendulum_rk4(body%gravity/body%length, step%hi, 1, rk4(1), rk4(2))
       end do
-      if (wish%start == '') call reject('name a start, as --amplitude 1rad; see furiko motion --help')
-      if (wish%has_rate .and. wish%start /= '--angle') call reject('--rate goes with --angle')
-      if (wish%from > wish%to) then
-         call reject('--to ' // wish%to_word // ' is before --from ' // wish%from_word)
-      end if
-      if ((wish%to - wish%from)/wish%step > most_rows) then
-         call reject('--step ' // wish%step_word // ' up to --to ' // wish%to_word // &
-            ' makes more rows than 1e12')
-      end if
-      call print_motion(wish)
+      call page%end()
+      call finish()
    end subroutine motion_command
 
 
-   subroutine read_start(option, word, wish)
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(request), intent(inout) :: wish
+   !> The note's columns have no width; a blank stands between.
+   pure function free(columns) result(narrow)
+      type(column), intent(in) :: columns(:)
+      type(column) :: narrow(size(columns))
 
-      if (option == '--rate') then
-         wish%rate = rate_at_start(command, option, word)
-         wish%has_rate = .true.
+      narrow = columns
+      narrow%width = 0
+   end function free
+
+
+   !> The first time, the distance to the next, and how many follow
+   subroutine read_times(line, from, step, last)
+      type(command_line), intent(in) :: line
+      type(double_word), intent(out) :: from
+      type(double_word), intent(out) :: step
+      integer(int64), intent(out) :: last
+      type(double_word) :: steps, to
+      type(word) :: word_from, word_step, word_to
+
+      step = number_of(line%value('--step'), seconds)
+      call demand(step%hi > 0.0_wp, line%value('--step'), 'step > 0 s')
+      last = 0
+      if (line%given('--at')) then
+         if (line%given('--from') .or. line%given('--to')) call line%reject('--at is the only time: no ' // &
+            '--from, no --to')
+         from = number_of(line%value('--at'), seconds)
          return
       end if
-      if (wish%start /= '') then
-         call reject(option // ' ' // word // ': there is a start already, ' // wish%start)
-      end if
-      wish%start = option
-      if (option == '--angle') then
-         wish%angle = angle_at_start(command, option, word)
-      else
-         wish%angle = amplitude_of(command, option, word)
-      end if
-   end subroutine read_start
+      from = number_of(line%value('--from'), seconds)
+      to = number_of(line%value('--to'), seconds)
+      word_from = line%value('--from')
+      word_to = line%value('--to')
+      word_step = line%value('--step')
+      if (from%hi > to%hi) call line%reject('--to ' // word_to%text // ' is before --from ' // word_from%text)
+      steps = (to - from)/step
+      if (.not. steps%hi <= most_rows) call line%reject('--step ' // word_step%text // ' up to --to ' // &
+         word_to%text // ' makes more rows than 1e12')
+      ! a last step that the rounding of the steps' number has made a trifle too long still counts
+      last = int(steps%hi*(1 + epsilon(1.0_wp)), int64)
+   end subroutine read_times
 
 
-   subroutine read_time(option, word, wish)
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(request), intent(inout) :: wish
-      real(wp) :: time
-
-      time = number_of(command // ': ' // option, word, seconds)
-      select case (option)
-      case ('--from')
-         wish%from = time
-         wish%from_word = word
-      case ('--to')
-         wish%to = time
-         wish%to_word = word
-      case default
-         wish%step = time
-         wish%step_word = word
-         if (.not. time > 0.0_wp) call reject(option // ' ' // word // ' is not above 0 s')
-      end select
-   end subroutine read_time
-
-
-   !> The names in a list with commas
-   subroutine read_columns(word, columns)
-      character(len=*), intent(in) :: word
-      character(len=8), allocatable, intent(out) :: columns(:)
+   !> Which columns a list with commas names
+   subroutine read_columns(list, chosen)
+      type(word), intent(in) :: list
+      integer, allocatable, intent(out) :: chosen(:)
       character(len=:), allocatable :: name, rest
-      integer :: comma
+      integer :: i
 
-      allocate(columns(0))
-      rest = word // ','
+      allocate(chosen(0))
+      rest = list%text // ','
       do while (len(rest) > 0)
-         comma = index(rest, ',')
-         name = rest(:comma - 1)
-         if (all(known_columns /= name)) then
-            call reject("--columns: no column '" // name // "'; see furiko motion --help")
-         end if
-         columns = [character(len=8) :: columns, name]
-         rest = rest(comma + 1:)
+         call cut(rest, ',', name)
+         do i = size(names), 1, -1
+            if (names(i) == name) exit
+         end do
+         if (i == 0) call refuse(list%what // ": no column '" // name // "'; " // &
+            suggestion(name, names, 'see furiko motion --help'))
+         if (any(chosen == i)) call refuse(list%what // ": '" // name // "' comes twice")
+         chosen = [chosen, i]
       end do
    end subroutine read_columns
 
 
-   subroutine print_motion(wish)
-      type(request), intent(in) :: wish
-      type(motion) :: path
-      type(sheet) :: page
-      character(len=16) :: names(size(wish%columns))
-      real(wp) :: rk4(2)
-      integer(int64) :: i, last
-      integer :: column
-
-      select case (wish%start)
-      case ('--amplitude')
-         path = wish%body%swinging(wish%angle%hi, wish%angle%lo)
-      case ('--release')
-         path = wish%body%released(wish%angle%hi, wish%angle%lo)
-      case default
-         path = wish%body%started(wish%angle%hi, wish%rate, wish%angle%lo)
-      end select
-      do column = 1, size(names)
-         names(column) = heading(wish%columns(column))
-      end do
-      ! a last step that roundings have made a trifle too long still counts
-      last = int((wish%to - wish%from)/wish%step*(1 + epsilon(1.0_wp)), int64)
-      page = begin_sheet(command, wish%form, names, &
-         [(merge('es16.8e3', 'f0.6    ', wish%columns(column) == 'error'), column=1, size(names))])
-      rk4 = [path%angle(wish%from), path%rate(wish%from)]
-      do i = 0, last
-         call page%row(values(path, wish, wish%from + i*wish%step, rk4(1)))
-         call pendulum_rk4(wish%body%gravity/wish%body%length, wish%step, 1, rk4(1), rk4(2))
-      end do
-      call page%end()
-      call finish()
-   end subroutine print_motion
-
-
-   !> A column's name with its unit
-   pure function heading(column)
-      character(len=*), intent(in) :: column
-      character(len=16) :: heading
-      integer :: i
-
-      i = 1
-      do while (known_columns(i) /= column)
-         i = i + 1
-      end do
-      heading = column
-      if (units(i) /= '') heading = trim(column) // '_' // units(i)
-   end function heading
-
-
-   pure function values(path, wish, time, rk4) result(row)
+   !> The chosen columns at a time, whose lower word moves what it can be seen in
+   function values(path, body, chosen, time, rk4) result(row)
       type(motion), intent(in) :: path
-      type(request), intent(in) :: wish
-      real(wp), intent(in) :: time
+      type(pendulum), intent(in) :: body
+      integer, intent(in) :: chosen(:)
+      type(double_word), intent(in) :: time
       !> The angle by Runge-Kutta
       real(wp), intent(in) :: rk4
-      real(wp) :: row(size(wish%columns))
+      type(double_word) :: row(size(chosen))
       real(wp), parameter :: pi = acos(-1.0_wp)
+      real(wp) :: angle, rate
       integer :: i
 
+      angle = path%angle(time%hi)
+      rate = path%rate(time%hi)
       do i = 1, size(row)
-         select case (wish%columns(i))
+         select case (names(chosen(i)))
          case ('time')
             row(i) = time
          case ('angle')
-            row(i) = path%angle(time)
+            row(i) = double_word(angle) + double_word(rate*time%lo)
          case ('degrees')
-            row(i) = path%angle(time)*(180/pi)
+            row(i) = in_degrees(double_word(angle) + double_word(rate*time%lo))
          case ('rk4')
-            row(i) = rk4
+            row(i) = double_word(rk4)
          case ('error')
-            row(i) = rk4 - path%angle(time)
+            row(i) = double_word(rk4 - angle)
          case ('harmonic')
-            row(i) = path%harmonic_angle(time)
+            row(i) = double_word(path%harmonic_angle(time%hi))
          case ('rate')
-            row(i) = path%rate(time)
+            row(i) = double_word(rate - body%gravity/body%length*sin(angle)*time%lo)
          case ('energy')
-            row(i) = path%energy()
+            row(i) = double_word(path%energy())
          case ('tension')
-            row(i) = path%tension(time)
+            row(i) = double_word(path%tension(time%hi))
          case ('turns')
-            row(i) = anint(path%angle(time)/(2*pi)) + 0.0_wp
+            row(i) = double_word(anint(angle/(2*pi)))
          case default
-            row(i) = path%phase(time)
+            row(i) = double_word(path%phase(time%hi))
          end select
       end do
    end function values
 
 
-   subroutine reject(message)
-      character(len=*), intent(in) :: message
+   function time_usage() result(usage)
+      type(command) :: usage
 
-      call refuse(command // ': ' // message)
-   end subroutine reject
+      usage = command('time', 'when the pendulum is first at an angle, when a string goes slack', '', 0, &
+         'When a pendulum is first at the angle A from the time 0 on, with its rate and the tension ' // &
+         '(over the weight) there, from a start that --amplitude, --release or --angle names; angles in ' // &
+         'degrees, or as 1rad. With --slack: where and when a string in place of the rod goes slack.', &
+         example='furiko time --release 90 --at 0', options=[ &
+         option('--at', 'A', '', 'the angle, turns counted: 370 is 10 in the next turn'), &
+         option('--slack', about='the angle at which the tension is first 0'), &
+         start_options, length_option, gravity_option, format_option], run=time_command)
+   end function time_usage
+
+
+   subroutine time_command(line)
+      type(command_line), intent(in) :: line
+      type(motion) :: path
+      type(sheet) :: page
+      type(double_word) :: angle
+      type(word) :: at
+      real(wp) :: time
+
+      if (line%given('--at') .eqv. line%given('--slack')) call line%reject('one of --at and --slack, as ' // &
+         '--at 0')
+      path = motion_of(line, pendulum_of(line))
+      if (line%given('--at')) then
+         at = line%value('--at')
+         angle = angle_of(at)
+      else
+         angle = double_word(path%slack_angle())
+         if (.not. abs(angle%hi) <= huge(1.0_wp)) call line%reject('a string would never go slack')
+      end if
+      time = path%time_to(angle%hi)
+      if (.not. time <= huge(time)) call line%reject('the pendulum never gets to ' // at%text)
+      page = begin_sheet(line, [column('angle_deg', digits, 12), column('time_s', digits, 12), &
+         column('rate_rad_s', places, 10), column('tension', places, 10)])
+      call page%row([in_degrees(angle), double_word(time), double_word(path%rate(time)), &
+         double_word(path%tension(time))])
+      call page%end()
+      call finish()
+   end subroutine time_command
 
 end module furiko_cli_motion

@@ -1,96 +1,114 @@
 ! SPDX-License-Identifier: MIT
 
-!> The options that several commands share: --length and --gravity, and those of a start.
+!> The options that several commands share: those of the pendulum, and those of a start.
 module furiko_cli_pendulum
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : pendulum
-   use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_quantity, only : angle_of, is_below_half_turn, metres, number_of, pure_number
-   use furiko_cli_terminal, only : refuse
+   use furiko, only : motion, pendulum
+   use furiko_cli_options, only : command_line, demand, option, word
+   use furiko_cli_quantity, only : angle_of, is_below_half_turn, metres, no_unit, number_of, unit
    use furiko_double_word, only : double_word
    implicit none
    private
-   public :: read_pendulum_option, amplitude_of, angle_at_start, rate_at_start
+   public :: length_option, gravity_option, start_options, pendulum_of, length_of, gravity_of, amplitude_of, &
+      motion_of
+
+
+   type(option), parameter :: length_option = option('--length', 'L', '1', 'metres, or as 25cm')
+   type(option), parameter :: gravity_option = option('--gravity', 'G', '9.80665', 'm/s^2')
+   type(option), parameter :: start_options(*) = [ &
+      option('--amplitude', 'A', '', 'through the bottom at the time 0, swinging out to A (below 180deg)'), &
+      option('--release', 'A', '', 'let go at A at the time 0'), &
+      option('--angle', 'A', '', 'any state at the time 0, over the top too: this angle, with --rate'), &
+      option('--rate', 'R', '0', 'rad/s at the time 0, with --angle')]
 
 
 contains
 
 
-   !> Take the option if it is one of the pendulum's; `known` tells.
-   subroutine read_pendulum_option(command, option, arguments, body, known)
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: option
-      type(argument_reader), intent(inout) :: arguments
-      type(pendulum), intent(inout) :: body
-      logical, intent(out) :: known
-      character(len=:), allocatable :: word
+   function pendulum_of(line) result(body)
+      type(command_line), intent(in) :: line
+      type(pendulum) :: body
+      type(double_word) :: gravity, length
 
-      known = option == '--length' .or. option == '--gravity'
-      if (.not. known) return
-      word = value_of(command, option, arguments)
-      if (option == '--length') then
-         body%length = number_of(command // ': ' // option, word, metres)
-         call demand(in_range(body%length), command, option, word, '1e-100 <= length <= 1e100 m')
-      else
-         body%gravity = number_of(command // ': ' // option, word, pure_number(:0))
-         call demand(in_range(body%gravity), command, option, word, '1e-100 <= gravity <= 1e100 m/s^2')
-      end if
-   end subroutine read_pendulum_option
+      length = length_of(line)
+      gravity = gravity_of(line)
+      body%length = length%hi
+      body%gravity = gravity%hi
+   end function pendulum_of
 
 
-   !> An angle to which the pendulum swings out, to either side
-   function amplitude_of(command, option, word) result(amplitude)
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
+   function length_of(line) result(length)
+      type(command_line), intent(in) :: line
+      type(double_word) :: length
+
+      length = moderate(line%value('--length'), metres, '1e-100 <= length <= 1e100 m')
+   end function length_of
+
+
+   function gravity_of(line) result(gravity)
+      type(command_line), intent(in) :: line
+      type(double_word) :: gravity
+
+      gravity = moderate(line%value('--gravity'), no_unit, '1e-100 <= gravity <= 1e100 m/s^2')
+   end function gravity_of
+
+
+   !> A length or gravity that no intermediate result can overflow with
+   function moderate(given, units, range) result(number)
+      type(word), intent(in) :: given
+      type(unit), intent(in) :: units(:)
+      character(len=*), intent(in) :: range
+      type(double_word) :: number
+
+      number = number_of(given, units)
+      call demand(number%hi >= 1.0e-100_wp .and. number%hi <= 1.0e100_wp, given, range)
+   end function moderate
+
+
+   !> An amplitude in radians, within 0 to 180 degrees
+   function amplitude_of(given) result(amplitude)
+      type(word), intent(in) :: given
       type(double_word) :: amplitude
 
-      amplitude = angle_of(command // ': ' // option, word)
-      call demand(is_below_half_turn(amplitude), command, option, word, '-180 < angle < 180 degrees')
+      amplitude = angle_of(given)
+      call demand(amplitude%hi >= 0.0_wp .and. is_below_half_turn(amplitude), given, &
+         '0 <= amplitude < 180 degrees')
    end function amplitude_of
 
 
-   function angle_at_start(command, option, word) result(angle)
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(double_word) :: angle
-      real(wp), parameter :: most = 1.0e9_wp*acos(-1.0_wp)/180
+   !> The motion from the start that the options name
+   function motion_of(line, body) result(path)
+      type(command_line), intent(in) :: line
+      type(pendulum), intent(in) :: body
+      type(motion) :: path
+      character(len=11), parameter :: starts(3) = [character(len=11) :: '--amplitude', '--release', '--angle']
+      type(double_word) :: angle, rate
+      integer :: i, which
 
-      angle = angle_of(command // ': ' // option, word)
-      call demand(abs(angle%hi) <= most, command, option, word, '-1e9 <= angle <= 1e9 degrees')
-   end function angle_at_start
-
-
-   function rate_at_start(command, option, word) result(rate)
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      real(wp) :: rate
-
-      rate = number_of(command // ': ' // option, word, pure_number(:0))
-      call demand(abs(rate) <= 1.0e100_wp, command, option, word, '-1e100 <= rate <= 1e100 rad/s')
-   end function rate_at_start
-
-
-   !> Refuse a value that is outside its range.
-   subroutine demand(inside, command, option, word, range)
-      logical, intent(in) :: inside
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      character(len=*), intent(in) :: range
-
-      if (.not. inside) call refuse(command // ': ' // option // ' ' // word // ' is outside ' // range)
-   end subroutine demand
-
-
-   !> Lengths and gravities that no intermediate result can overflow with
-   pure function in_range(x)
-      real(wp), intent(in) :: x
-      logical :: in_range
-
-      in_range = x >= 1.0e-100_wp .and. x <= 1.0e100_wp
-   end function in_range
+      which = 0
+      do i = 1, 3
+         if (.not. line%given(trim(starts(i)))) cycle
+         if (which > 0) call line%reject(trim(starts(which)) // ' and ' // trim(starts(i)) // &
+            ' are two starts; one is enough')
+         which = i
+      end do
+      if (which == 0) call line%reject('name a start, as --amplitude 1rad; see ' // line%name // ' --help')
+      if (line%given('--rate') .and. which < 3) call line%reject('--rate goes with --angle')
+      angle = angle_of(line%value(trim(starts(which))))
+      if (which < 3) call demand(is_below_half_turn(angle), line%value(trim(starts(which))), &
+         '-180 < angle < 180 degrees')
+      select case (which)
+      case (1)
+         path = body%swinging(angle%hi, angle%lo)
+      case (2)
+         path = body%released(angle%hi, angle%lo)
+      case default
+         call demand(abs(angle%hi) <= 1.0e9_wp*acos(-1.0_wp)/180, line%value('--angle'), &
+            '-1e9 <= angle <= 1e9 degrees')
+         rate = number_of(line%value('--rate'), no_unit)
+         call demand(abs(rate%hi) <= 1.0e100_wp, line%value('--rate'), '-1e100 <= rate <= 1e100 rad/s')
+         path = body%started(angle%hi, rate%hi, angle%lo)
+      end select
+   end function motion_of
 
 end module furiko_cli_pendulum

@@ -2,10 +2,12 @@
 
 !> `furiko plot`: the figures of the notes, and a few they asked for.
 module furiko_cli_plot
-   use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_cli_arguments, only : argument_reader, value_of
+   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_cli_quantity, only : angle_of, is_below_half_turn
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_io, only : finish, put, refuse
+   use furiko_cli_number, only : read_whole
+   use furiko_cli_options, only : command, command_line, option, word
+   use furiko_cli_text, only : cut, suggestion
    use furiko_double_word, only : double_word
    use furiko_figure, only : amplitude, figure
    use furiko_figure_accuracy, only : accuracy_figure
@@ -18,7 +20,7 @@ module furiko_cli_plot
    use furiko_gnuplot, only : begin_picture, draw, is_picture_name, picture
    implicit none
    private
-   public :: plot_command
+   public :: plot_usage
 
 
    !> What a figure is called, what it shows, its amplitudes where it takes any
@@ -39,75 +41,56 @@ module furiko_cli_plot
       entry('energy', 'drift of the energy: Runge-Kutta and symplectic methods', '1rad', 1), &
       entry('accuracy', 'error of K next to 180 degrees by k, m and mc', '', 0)]
 
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko plot FIGURE -o FILE [--size WxH] [--title TEXT] [--amplitude LIST] [--data]' // nl // &
-      'furiko plot --list' // nl // nl // &
-      'Draws a figure with gnuplot, as SVG, PNG or PDF by the ending of FILE.' // nl // nl // &
-      '  -o, --output FILE    the picture: .svg, .png or .pdf; an old one is replaced' // nl // &
-      '  --size WxH           width and height in pixels, 300 to 8000, 96 to the inch (800x500)' // nl // &
-      '  --title TEXT         a line above the picture (none)' // nl // &
-      '  --amplitude LIST     amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad' // nl // &
-      '  --data               leave the data (.csv) and the script (.gp) beside FILE' // nl // nl // &
-      '--list names the figures and their amplitudes. Without gnuplot the data and the script are' // nl // &
-      'written, and the code is 3. Example:' // nl // nl // &
-      '  furiko plot motion -o motion.svg --amplitude 0.1rad,0.3rad,1rad'
-
-
 contains
 
 
-   !> Parse the words that follow `plot`, then draw.
-   subroutine plot_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      type(entry) :: chosen
-      character(len=:), allocatable :: amplitudes, file, title, word
-      integer :: extent(2)
-      logical :: keep
+   function plot_usage() result(usage)
+      type(command) :: usage
 
-      chosen = entry('', '', '', 0)
-      amplitudes = ''
-      file = ''
-      title = ''
-      extent = [800, 500]
-      keep = .false.
-      do while (.not. arguments%done())
-         word = arguments%word()
-         call arguments%advance()
-         select case (word)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('--list')
-            call print_list()
-            return
-         case ('-o', '--output')
-            file = value_of('furiko plot', word, arguments)
-         case ('--size')
-            call read_size(value_of('furiko plot', word, arguments), extent)
-         case ('--title')
-            title = value_of('furiko plot', word, arguments)
-         case ('--amplitude')
-            amplitudes = value_of('furiko plot', word, arguments)
-            if (amplitudes == '') call reject('--amplitude is empty')
-         case ('--data')
-            keep = .true.
-         case default
-            if (chosen%name /= '') call reject("unknown word '" // word // "'; see furiko plot --help")
-            chosen = find(word)
-         end select
-      end do
-      if (chosen%name == '') call reject('name a figure; furiko plot --list names all')
-      if (file == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
-      call check_text('-o', file)
-      call check_text('--title', title)
-      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
-      if (has_noncharacter(title)) call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
-      if (.not. is_picture_name(file)) then
-         call reject("-o '" // file // "' does not end in .svg, .png or .pdf")
+      usage = command('plot', 'figures, as SVG, PNG or PDF', 'FIGURE -o FILE', 1, &
+         'Draws a figure with gnuplot, as SVG, PNG or PDF by the ending of FILE.', &
+         'Without gnuplot the data and the script are written, and the code is 3.', &
+         'furiko plot motion -o motion.svg --amplitude 0.1rad,0.3rad,1rad', options=[ &
+         option('--list', about='the figures and their amplitudes'), &
+         option('--output', 'FILE', '', 'the picture: .svg, .png or .pdf; an old one is replaced', 'o'), &
+         option('--size', 'WxH', '800x500', 'width and height in pixels, 300 to 8000, 96 to the inch'), &
+         option('--title', 'TEXT', '', 'a line above the picture'), &
+         option('--amplitude', 'LIST', '', 'amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad'), &
+         option('--data', about='leave the data (.csv) and the script (.gp) beside FILE')], run=plot_command)
+   end function plot_usage
+
+
+   subroutine plot_command(line)
+      type(command_line), intent(in) :: line
+      type(entry) :: chosen
+      integer, parameter :: most_bytes = 1000
+      type(word) :: amplitudes, file, title
+      integer :: extent(2)
+
+      if (line%given('--list')) then
+         call print_list()
+         return
       end if
-      call make(chosen, amplitudes, file, extent, title, keep)
+      if (size(line%operands) == 0) call reject('name a figure; furiko plot --list names all')
+      chosen = find(line%operands(1)%text)
+      file = line%value('--output')
+      title = line%value('--title')
+      amplitudes = line%value('--amplitude')
+      if (file%text == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
+      if (line%given('--amplitude') .and. amplitudes%text == '') call reject('--amplitude is empty')
+      call check_text('-o', file%text)
+      call check_text('--title', title%text)
+      if (len(title%text) > most_bytes) call reject('--title is longer than 1000 bytes')
+      if (.not. is_utf8(title%text)) call reject('--title is not UTF-8')
+      if (index(title%text, ']]>') > 0) call reject('--title has ]]> in it, which no SVG may hold')
+      if (has_noncharacter(title%text)) then
+         call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
+      end if
+      if (.not. is_picture_name(file%text)) then
+         call reject("-o '" // file%text // "' does not end in .svg, .png or .pdf")
+      end if
+      call read_size(line%value('--size'), extent)
+      call make(chosen, amplitudes%text, file%text, extent, title%text, line%given('--data'))
    end subroutine plot_command
 
 
@@ -132,7 +115,7 @@ contains
       else
          allocate(amplitudes(0))
       end if
-      call begin_picture(file, extent(1), extent(2), place)
+      call begin_picture(file, extent(1), extent(2), keep, place)
 
       select case (chosen%name)
       case ('phase')
@@ -150,7 +133,7 @@ contains
       case default
          call accuracy_figure(content)
       end select
-      call draw(place, content, title, keep)
+      call draw(place, content, title)
    end subroutine make
 
 
@@ -166,7 +149,8 @@ contains
             return
          end if
       end do
-      call reject("no figure '" // name // "'; furiko plot --list names all")
+      call reject("no figure '" // name // "'; " // &
+         suggestion(name, [(figures(i)%name, i=1, size(figures))], 'furiko plot --list names all'))
    end function find
 
 
@@ -181,21 +165,19 @@ contains
 
 
    !> The size from WxH.
-   subroutine read_size(word, extent)
-      character(len=*), intent(in) :: word
+   subroutine read_size(given, extent)
+      type(word), intent(in) :: given
       integer, intent(out) :: extent(2)
-      integer :: cross, stat
+      integer(int64) :: side(2)
+      integer :: cross
+      logical :: valid(2)
 
-      extent = 0
-      stat = 1
-      cross = index(word, 'x')
-      if (verify(word, '0123456789x') == 0 .and. cross > 1 .and. cross < len(word) .and. &
-         index(word, 'x', back=.true.) == cross .and. len(word) <= 9) then
-         read(word(:cross - 1), '(i9)', iostat=stat) extent(1)
-         if (stat == 0) read(word(cross + 1:), '(i9)', iostat=stat) extent(2)
-      end if
-      if (stat == 0 .and. all(extent >= 300 .and. extent <= 8000)) return
-      call reject("--size '" // word // "' is not as 800x500, each from 300 to 8000 pixels")
+      cross = index(given%text, 'x')
+      call read_whole(given%text(:max(0, cross - 1)), side(1), valid(1))
+      call read_whole(given%text(cross + 1:), side(2), valid(2))
+      if (.not. all(valid .and. side >= 300 .and. side <= 8000)) call reject("--size '" // given%text // &
+         "' is not as 800x500, each from 300 to 8000 pixels")
+      extent = int(side)
    end subroutine read_size
 
 
@@ -204,39 +186,38 @@ contains
       type(entry), intent(in) :: chosen
       character(len=*), intent(in) :: list
       type(amplitude), allocatable :: amplitudes(:)
-      integer :: comma, from, i
+      character(len=:), allocatable :: first, rest
+      integer :: i
 
       allocate(amplitudes(count([(list(i:i) == ',', i=1, len(list))]) + 1))
       if (size(amplitudes) > chosen%most) then
          call reject(trim(chosen%name) // ' has no room for so many amplitudes')
       end if
-      from = 1
+      rest = list
       do i = 1, size(amplitudes)
-         comma = index(list(from:), ',')
-         if (comma == 0) comma = len(list) - from + 2
-         amplitudes(i) = amplitude_of(list(from:from + comma - 2))
-         from = from + comma
+         call cut(rest, ',', first)
+         amplitudes(i) = amplitude_of(first)
       end do
    end function amplitudes_of
 
 
-   function amplitude_of(word) result(self)
-      character(len=*), intent(in) :: word
+   function amplitude_of(text) result(self)
+      character(len=*), intent(in) :: text
       type(amplitude) :: self
       type(double_word) :: angle
       integer :: last
 
-      angle = angle_of('furiko plot: --amplitude', word)
+      angle = angle_of(word('furiko plot: --amplitude', text))
       if (angle%hi <= 0.0_wp .or. .not. is_below_half_turn(angle)) then
-         call reject('--amplitude ' // word // ' is outside 0 < amplitude < 180 degrees')
+         call reject('--amplitude ' // text // ' is outside 0 < amplitude < 180 degrees')
       end if
-      last = verify(word, 'adegr', back=.true.)
+      last = verify(text, 'adegr', back=.true.)
       self%radians = angle%hi
-      self%in_degrees = word(last + 1:) /= 'rad'
+      self%in_degrees = text(last + 1:) /= 'rad'
       if (self%in_degrees) then
-         self%label = word(:last) // '°'
+         self%label = text(:last) // '°'
       else
-         self%label = word(:last) // ' rad'
+         self%label = text(:last) // ' rad'
       end if
    end function amplitude_of
 

@@ -1,53 +1,107 @@
 ! SPDX-License-Identifier: MIT
 
-!> Quantities as people type them: 57.3deg, 1rad, 50cm, 9.8, 1/2, 3%.
+!> Quantities as people type them, to 30 digits: 57.3deg, 57°18', 1rad, pi/3, 50cm, 9.8, 1/2, 3%.
 module furiko_cli_quantity
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_bits_dp, only : infinity
    use furiko_cli_decimal, only : decimal, read_decimal, to_double_word
-   use furiko_cli_number, only : is_number, read_whole
-   use furiko_cli_terminal, only : refuse
-   use furiko_double_word, only : double_word, double_word_pi, operator(-), operator(*), operator(/)
+   use furiko_cli_io, only : refuse
+   use furiko_cli_number, only : is_number, is_out_of_range, read_number, read_whole
+   use furiko_cli_options, only : word
+   use furiko_cli_text, only : replaced, whole_text
+   use furiko_double_word, only : double_word, double_word_pi, operator(+), operator(-), operator(*), &
+      operator(/)
    implicit none
    private
-   public :: angle_of, is_below_half_turn, number_of, integer_of, unit, metres, seconds, pure_number
+   public :: angle_of, in_degrees, is_below_half_turn, number_of, whole_of, unit, metres, seconds, &
+      pure_number, no_unit
 
 
-   !> A unit and its size in the unit that the program computes in
+   !> A unit in the unit that the program computes in: times/per
    type :: unit
       character(len=3) :: name
-      real(wp) :: size
+      real(wp) :: times
+      real(wp) :: per
    end type unit
 
-   type(unit), parameter :: metres(*) = [unit('km', 1000.0_wp), unit('cm', 0.01_wp), &
-      unit('mm', 0.001_wp), unit('m', 1.0_wp)]
-   type(unit), parameter :: seconds(*) = [unit('ms', 0.001_wp), unit('min', 60.0_wp), &
-      unit('h', 3600.0_wp), unit('s', 1.0_wp)]
-   type(unit), parameter :: pure_number(*) = [unit('%', 0.01_wp)]
+   type(unit), parameter :: metres(*) = [unit('km', 1000.0_wp, 1.0_wp), unit('cm', 1.0_wp, 100.0_wp), &
+      unit('mm', 1.0_wp, 1000.0_wp), unit('m', 1.0_wp, 1.0_wp)]
+   type(unit), parameter :: seconds(*) = [unit('ms', 1.0_wp, 1000.0_wp), unit('min', 60.0_wp, 1.0_wp), &
+      unit('h', 3600.0_wp, 1.0_wp), unit('s', 1.0_wp, 1.0_wp)]
+   type(unit), parameter :: pure_number(*) = [unit('%', 1.0_wp, 100.0_wp)]
+   type(unit), parameter :: no_unit(*) = pure_number(:0)
 
 
 contains
 
 
-   !> An angle in radians, to 30 digits: degrees where the word does not end in rad.
-   function angle_of(what, word) result(angle)
-      !> Who asks for it, as in 'furiko motion: --angle'
-      character(len=*), intent(in) :: what
-      character(len=*), intent(in) :: word
+   !> An angle in radians: degrees where the word says nothing else.
+   function angle_of(given) result(angle)
+      type(word), intent(in) :: given
       type(double_word) :: angle
       character(len=:), allocatable :: text
-      logical :: in_radians, valid
+      integer :: at_pi
+      logical :: valid
 
-      text = word
-      in_radians = ends_in(word, 'rad')
-      if (in_radians .or. ends_in(word, 'deg')) text = word(:len(word) - 3)
-      call read_exactly(text, angle, valid)
-      if (.not. valid) call refuse(what // " '" // word // "' is not an angle (as 57.3, 57.3deg or 1rad)")
-      if (.not. in_radians) angle = angle*double_word_pi/double_word(180.0_wp)
-      if (.not. in_range(angle%hi, text)) then
-         call refuse(what // " '" // word // "' is not a number of this range")
+      text = replaced(replaced(replaced(replaced(replaced(given%text, 'deg', 'd'), '°', 'd'), &
+         '′', "'"), '″', '"'), 'π', 'pi')
+      at_pi = index(text, 'pi')
+      if (ends_in(text, 'rad')) text = text(:len(text) - 3)
+      if (at_pi > 0) then
+         call read_part_of_pi(text(:at_pi - 1), text(at_pi + 2:), angle, valid)
+      else if (ends_in(given%text, 'rad')) then
+         call read_exactly(text, angle, valid)
+      else
+         call read_degrees(text, angle, valid)
+         angle = quotient(angle*double_word_pi, double_word(180.0_wp))
       end if
+      if (.not. valid) call refuse(given%what // " '" // given%text // &
+         "' is not an angle (as 57.3, 57.3deg, 57°18', 1rad or pi/3)")
+      call demand_range(angle, given)
    end function angle_of
+
+
+   !> What stands in front of pi and behind it: 2pi/3, 0.5pi, -pi
+   pure subroutine read_part_of_pi(front, back, angle, valid)
+      character(len=*), intent(in) :: front
+      character(len=*), intent(in) :: back
+      type(double_word), intent(out) :: angle
+      logical, intent(out) :: valid
+
+      call read_exactly(front // trim(merge('1', ' ', front == '' .or. front == '+' .or. front == '-')) // &
+         back, angle, valid)
+      valid = valid .and. (back == '' .or. index(back, '/') == 1 .and. index(front, '/') == 0)
+      angle = angle*double_word_pi
+   end subroutine read_part_of_pi
+
+
+   !> Degrees, or degrees with minutes and seconds: 57.3, 57d18', 57d17'44.8", 30'
+   pure subroutine read_degrees(text, degrees, valid)
+      character(len=*), intent(in) :: text
+      type(double_word), intent(out) :: degrees
+      logical, intent(out) :: valid
+      character(len=1), parameter :: marks(3) = ['d', "'", '"']
+      type(double_word) :: part
+      character(len=:), allocatable :: rest
+      integer :: i, mark
+
+      rest = text // trim(merge('d', ' ', scan(text, 'd''"') == 0))
+      valid = .true.
+      do i = 1, 3
+         mark = index(rest, marks(i))
+         if (mark == 0) cycle
+         call read_exactly(rest(:mark - 1), part, valid)
+         if (i > 1 .and. len(rest) < len(text)) valid = valid .and. scan(rest(:1), '+-') == 0
+         if (i > 1) valid = valid .and. abs(part%hi) < 60.0_wp
+         if (.not. valid) return
+         if (index(text, '-') == 1 .and. i > 1 .and. len(rest) < len(text)) then
+            part = double_word(0.0_wp) - part
+         end if
+         degrees = degrees + part/double_word(60.0_wp**(i - 1))
+         rest = rest(mark + 1:)
+      end do
+      valid = rest == ''
+   end subroutine read_degrees
 
 
    !> Whether an angle is within pi on either side, to 30 digits
@@ -61,61 +115,55 @@ contains
    end function is_below_half_turn
 
 
+   elemental function in_degrees(angle) result(degrees)
+      type(double_word), intent(in) :: angle
+      type(double_word) :: degrees
+
+      degrees = angle*double_word(180.0_wp)/double_word_pi
+   end function in_degrees
+
+
    !> A number in one of `units`; without a unit it stands as it is.
-   function number_of(what, word, units) result(number)
-      character(len=*), intent(in) :: what
-      character(len=*), intent(in) :: word
+   function number_of(given, units) result(number)
+      type(word), intent(in) :: given
       !> The longer names first where one ends in another
       type(unit), intent(in) :: units(:)
-      real(wp) :: number
+      type(double_word) :: number
       character(len=:), allocatable :: text
-      type(double_word) :: x
-      real(wp) :: size_of_unit
       logical :: valid
       integer :: i
 
-      text = word
-      size_of_unit = 1.0_wp
+      text = given%text
       do i = 1, size(units)
-         if (.not. ends_in(word, trim(units(i)%name))) cycle
-         text = word(:len(word) - len_trim(units(i)%name))
-         size_of_unit = units(i)%size
-         exit
+         if (ends_in(text, trim(units(i)%name))) exit
       end do
-      call read_exactly(text, x, valid)
-      if (.not. valid) call refuse(what // " '" // word // "' is not a number" // accepted(units))
-      number = x%hi
-      ! 3% is 3/100, not 3 times a rounded 0.01
-      if (size_of_unit < 1.0_wp) then
-         number = number/nint(1/size_of_unit)
-      else
-         number = number*size_of_unit
-      end if
-      if (.not. in_range(number, text)) call refuse(what // " '" // word // "' is not a number of this range")
+      if (i <= size(units)) text = text(:len(text) - len_trim(units(i)%name))
+      call read_exactly(text, number, valid)
+      if (.not. valid) call refuse(given%what // " '" // given%text // "' is not a number" // accepted(units))
+      if (i <= size(units)) number = quotient(number*double_word(units(i)%times), double_word(units(i)%per))
+      call demand_range(number, given)
    end function number_of
 
 
    !> A whole number from `least` to `most`.
-   function integer_of(what, word, least, most) result(number)
-      character(len=*), intent(in) :: what
-      character(len=*), intent(in) :: word
+   function whole_of(given, least, most) result(number)
+      type(word), intent(in) :: given
       integer, intent(in) :: least
       integer, intent(in) :: most
       integer :: number
-      character(len=12) :: bounds(2)
       integer(int64) :: whole
       logical :: valid
 
-      call read_whole(word, whole, valid)
+      call read_whole(given%text, whole, valid)
       number = int(max(min(whole, int(most, int64)), int(least, int64)))
       if (valid .and. number == whole) return
-      write(bounds, '(i0)') least, most
-      call refuse(what // " '" // word // "' is not a whole number from " // trim(bounds(1)) // &
-         ' to ' // trim(bounds(2)))
-   end function integer_of
+      call refuse(given%what // " '" // given%text // "' is not a whole number from " // &
+         whole_text(least) // ' to ' // whole_text(most))
+   end function whole_of
 
 
-   !> A decimal number or a fraction a/b of two; exact decimals keep 30 digits.
+   !> A decimal number or a fraction a/b of two; exact decimals keep 30 digits. What is out of range is not
+   !> finite.
    pure subroutine read_exactly(text, x, valid)
       character(len=*), intent(in) :: text
       type(double_word), intent(out) :: x
@@ -127,18 +175,17 @@ contains
       call read_one(text(:slash - 1), x, valid)
       if (.not. valid .or. slash > len(text)) return
       call read_one(text(slash + 1:), y, valid)
-      valid = valid .and. is_nonzero(text(slash + 1:))
-      if (valid) x = x/y
+      valid = valid .and. abs(y%hi) > 0.0_wp
+      if (valid) x = quotient(x, y)
    end subroutine read_exactly
 
 
-   !> A number out of range is infinite, or zero.
    pure subroutine read_one(text, x, valid)
       character(len=*), intent(in) :: text
       type(double_word), intent(out) :: x
       logical, intent(out) :: valid
       type(decimal) :: number
-      integer :: stat
+      integer :: verdict
 
       call read_decimal(text, number, valid)
       if (valid) then
@@ -147,28 +194,30 @@ contains
       end if
       valid = is_number(text)
       if (.not. valid) return
-      read(text, *, iostat=stat) x%hi
-      if (stat /= 0) x%hi = infinity
+      call read_number(text, x%hi, verdict)
+      if (verdict == is_out_of_range) x%hi = infinity
    end subroutine read_one
 
 
-   !> Whether x, read from a number or fraction, is finite, and zero only where a zero was typed
-   pure function in_range(x, text)
-      real(wp), intent(in) :: x
-      character(len=*), intent(in) :: text
-      logical :: in_range
+   !> x/y, infinite where it would become zero
+   elemental function quotient(x, y) result(z)
+      type(double_word), intent(in) :: x
+      type(double_word), intent(in) :: y
+      type(double_word) :: z
 
-      in_range = abs(x) <= huge(x) .and. (abs(x) > 0.0_wp .or. .not. is_nonzero(text))
-   end function in_range
+      z = x/y
+      if (abs(x%hi) > 0.0_wp .and. .not. abs(z%hi) > 0.0_wp) z = double_word(infinity)
+   end function quotient
 
 
-   !> Whether the number in front, before any exponent and fraction, has a digit other than zero
-   pure function is_nonzero(text)
-      character(len=*), intent(in) :: text
-      logical :: is_nonzero
+   !> Refuse what is not finite.
+   subroutine demand_range(x, given)
+      type(double_word), intent(in) :: x
+      type(word), intent(in) :: given
 
-      is_nonzero = scan(text(:scan(text // '/', '/eEdD') - 1), '123456789') > 0
-   end function is_nonzero
+      if (abs(x%hi) <= huge(x%hi)) return
+      call refuse(given%what // " '" // given%text // "' is not a number of this range")
+   end subroutine demand_range
 
 
    pure function accepted(units) result(text)
@@ -186,13 +235,13 @@ contains
    end function accepted
 
 
-   pure function ends_in(word, ending)
-      character(len=*), intent(in) :: word
+   pure function ends_in(text, ending)
+      character(len=*), intent(in) :: text
       character(len=*), intent(in) :: ending
       logical :: ends_in
 
-      ends_in = len(word) > len(ending)
-      if (ends_in) ends_in = word(len(word) - len(ending) + 1:) == ending
+      ends_in = len(text) > len(ending)
+      if (ends_in) ends_in = text(len(text) - len(ending) + 1:) == ending
    end function ends_in
 
 end module furiko_cli_quantity

@@ -4,30 +4,36 @@
 !> Rows of numbers in, rows of results out, in each kind of real; the text is in furiko_cli_rows.inc.
 module furiko_cli_rows_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_sp, only : evaluate
-   use furiko_catalogue, only : argument_count, catalogue_entry, result_count
-   use furiko_cli_number, only : is_number
-   use furiko_cli_terminal, only : put, refuse
-   use furiko_cli_words, only : first_word, next_row
+   use furiko_cli_answers, only : answers
+   use furiko_cli_fields, only : field, is_skipped, split
+   use furiko_cli_header, only : read_header
+   use furiko_cli_input, only : line_input, longest_line
+   use furiko_cli_io, only : refuse
+   use furiko_cli_number, only : is_out_of_range, is_right, longest, read_number, write_shortest
+   use furiko_cli_request, only : begin_output, request
+   use furiko_cli_text, only : whole_text
    implicit none
    private
-   character(len=*), parameter :: round_trip = '(es20.8e2)'
+   character(len=*), parameter :: kind_name = 'real32'
    include 'furiko_cli_rows.inc'
 end module furiko_cli_rows_sp
 
 
 module furiko_cli_rows_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_dp, only : evaluate
-   use furiko_catalogue, only : argument_count, catalogue_entry, result_count
-   use furiko_cli_number, only : is_number
-   use furiko_cli_terminal, only : put, refuse
-   use furiko_cli_words, only : first_word, next_row
+   use furiko_cli_answers, only : answers
+   use furiko_cli_fields, only : field, is_skipped, split
+   use furiko_cli_header, only : read_header
+   use furiko_cli_input, only : line_input, longest_line
+   use furiko_cli_io, only : refuse
+   use furiko_cli_number, only : is_out_of_range, is_right, longest, read_number, write_shortest
+   use furiko_cli_request, only : begin_output, request
+   use furiko_cli_text, only : whole_text
    implicit none
    private
-   character(len=*), parameter :: round_trip = '(es30.16e3)'
+   character(len=*), parameter :: kind_name = 'real64'
    include 'furiko_cli_rows.inc'
 end module furiko_cli_rows_dp
 
@@ -35,15 +41,18 @@ end module furiko_cli_rows_dp
 #ifdef FURIKO_REAL128
 module furiko_cli_rows_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_nan
    use furiko_by_name_qp, only : evaluate
-   use furiko_catalogue, only : argument_count, catalogue_entry, result_count
-   use furiko_cli_number, only : is_number
-   use furiko_cli_terminal, only : put, refuse
-   use furiko_cli_words, only : first_word, next_row
+   use furiko_cli_answers, only : answers
+   use furiko_cli_fields, only : field, is_skipped, split
+   use furiko_cli_header, only : read_header
+   use furiko_cli_input, only : line_input, longest_line
+   use furiko_cli_io, only : refuse
+   use furiko_cli_number, only : is_out_of_range, is_right, longest, read_number, write_shortest
+   use furiko_cli_request, only : begin_output, request
+   use furiko_cli_text, only : whole_text
    implicit none
    private
-   character(len=*), parameter :: round_trip = '(es50.35e4)'
+   character(len=*), parameter :: kind_name = 'real128'
    include 'furiko_cli_rows.inc'
 end module furiko_cli_rows_qp
 #endif
@@ -52,13 +61,13 @@ end module furiko_cli_rows_qp
 !> The kind by its name.
 module furiko_cli_rows
    use, intrinsic :: iso_fortran_env, only : real32, real64, real128
-   use furiko_catalogue, only : catalogue_entry
    use furiko_cli_rows_sp, only : answer => evaluate_rows
    use furiko_cli_rows_dp, only : answer => evaluate_rows
 #ifdef FURIKO_REAL128
    use furiko_cli_rows_qp, only : answer => evaluate_rows
 #endif
-   use furiko_cli_terminal, only : refuse
+   use furiko_cli_io, only : refuse
+   use furiko_cli_request, only : request
    implicit none
    private
    public :: evaluate_rows
@@ -67,19 +76,19 @@ module furiko_cli_rows
 contains
 
 
-   !> Answer every row of standard input with the function of an entry, in a kind of real.
-   subroutine evaluate_rows(entry, kind_name)
-      type(catalogue_entry), intent(in) :: entry
+   !> Answer every row of standard input as requested, in a kind of real.
+   subroutine evaluate_rows(wanted, kind_name)
+      type(request), intent(in) :: wanted
       character(len=*), intent(in) :: kind_name
 
       select case (kind_name)
       case ('real32')
-         call answer(entry, 0.0_real32)
+         call answer(wanted, 0.0_real32)
       case ('real64')
-         call answer(entry, 0.0_real64)
+         call answer(wanted, 0.0_real64)
       case default
 #ifdef FURIKO_REAL128
-         call answer(entry, 0.0_real128)
+         call answer(wanted, 0.0_real128)
 #else
          call refuse('furiko eval: this compiler has no real128')
 #endif
@@ -87,4 +96,4 @@ contains
    end subroutine evaluate_rows
 
 end module furiko_cli_rows
-! rooms: 341569128
+! rooms: 3798139243

@@ -3,195 +3,194 @@
 !> Rows of numbers under named columns, as text for the eye, csv or json; a row at a time.
 module furiko_cli_sheet
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_decimal, only : decimal, fixed_words => fixed, to_text
-   use furiko_cli_terminal, only : put, refuse
+   use furiko_cli_answers, only : answers, begin_answers, phrase
+   use furiko_cli_decimal, only : fixed
+   use furiko_cli_number, only : scientific, significant
+   use furiko_cli_options, only : command_line, option, word
    use furiko_double_word, only : double_word
    implicit none
    private
-   public :: sheet, begin_sheet
+   public :: column, whole, places, places_of_words, digits, powers, sheet, begin_sheet, format_option
 
 
-   !> Csv and json have the columns' names and all 17 digits. Text has a format for each column, and
-   !> the names above where the formats have a width.
+   type(option), parameter :: format_option = option('--format', 'text|csv|json', 'text', 'of the output')
+
+
+   !> How to write the numbers of a column
+   type :: column
+      !> With its unit
+      character(len=20) :: name = ''
+      integer :: style = 1
+      !> Decimal places or digits, in text
+      integer :: count = 0
+      !> In csv and json, where that is more
+      integer :: in_csv = 0
+      !> Of the text, with the blanks in front; as name and numbers ask where it is below 0
+      integer :: width = -1
+      !> A shorter name for the head of the text; '-' where the text has no such column
+      character(len=16) :: head = ''
+   end type column
+
+   !> Whole numbers; decimal places of what is right to 15 digits, or in two words to 18; digits; digits
+   !> and a power of ten, for errors
+   integer, parameter :: whole = 1
+   integer, parameter :: places = 2
+   integer, parameter :: places_of_words = 3
+   integer, parameter :: digits = 4
+   integer, parameter :: powers = 5
+
+
    type :: sheet
       private
-      character(len=16), allocatable :: columns(:)
-      character(len=8), allocatable :: styles(:)
-      !> Decimals of numbers without a width
-      integer, allocatable :: places(:)
-      character(len=:), allocatable :: form
-      logical :: first = .true.
+      type(column), allocatable :: columns(:)
+      type(answers) :: page
+      logical :: in_text = .true.
    contains
-      procedure :: row
+      generic :: row => row_of_words, row_of_reals
       procedure :: end
+      procedure, private :: row_of_words, row_of_reals
    end type sheet
 
 
 contains
 
 
-   !> A sheet in the format of a word behind --format; `styles` are Fortran's formats for the numbers
-   !> of each column in text, i for whole ones; f0.6 and the like stand side by side with one blank.
-   function begin_sheet(command, form, columns, styles) result(self)
-      character(len=*), intent(in) :: command
-      character(len=*), intent(in) :: form
-      character(len=*), intent(in) :: columns(:)
-      character(len=*), intent(in) :: styles(:)
+   !> A sheet in the format that a command line asks for; text that is `bare` has no head.
+   function begin_sheet(line, columns, bare, rows) result(self)
+      type(command_line), intent(in) :: line
+      type(column), intent(in) :: columns(:)
+      logical, intent(in), optional :: bare
+      !> How many there will be, if many
+      integer(int64), intent(in), optional :: rows
       type(sheet) :: self
-      character(len=:), allocatable :: line
-      integer :: i, width
+      character(len=:), allocatable :: head
+      type(word) :: form
+      integer :: i
 
-      self%form = form
-      allocate(self%columns(size(columns)), self%styles(size(columns)), self%places(size(columns)))
+      form = line%value('--format')
+      self%in_text = form%text == 'text'
+      allocate(self%columns(size(columns)))
       self%columns(:) = columns
-      self%styles(:) = styles
-      self%places(:) = [(places_of(styles(i)), i=1, size(styles))]
-      line = ''
+      where (columns%width < 0) self%columns%width = 2 + max(len_trim(head_of(columns)), least_width(columns))
+      self%page = begin_answers(form%text, [(phrase(trim(columns(i)%name)), i=1, size(columns))], rows)
+      if (.not. self%in_text) return
+      if (present(bare)) then
+         if (bare) return
+      end if
+      head = ''
       do i = 1, size(columns)
-         if (form == 'csv') line = line // ',' // trim(columns(i))
-         width = width_of(styles(i))
-         if (form == 'text') line = line // ' ' // repeat(' ', max(0, width - len_trim(columns(i)))) // &
-            trim(columns(i))
+         if (columns(i)%head /= '-') call append(head, trim(head_of(columns(i))), self%columns(i)%width)
       end do
-      select case (form)
-      case ('text')
-         if (all(self%places < 0)) call put(line(2:))
-      case ('csv')
-         call put(line(2:))
-      case ('json')
-         call put('[')
-      case default
-         call refuse(command // ": --format '" // form // "' is none of text, csv, json")
-      end select
+      call self%page%append(head // new_line('a'))
    end function begin_sheet
 
 
    !> Write a row, as many numbers as there are columns.
-   subroutine row(self, numbers, low)
+   subroutine row_of_words(self, numbers)
       class(sheet), intent(inout) :: self
-      real(wp), intent(in) :: numbers(:)
-      !> What the rounding of the numbers left, for text with 15 decimals; 0 where it is not known
-      real(wp), intent(in), optional :: low(:)
+      type(double_word), intent(in) :: numbers(:)
       character(len=:), allocatable :: line
       integer :: i
 
       line = ''
+      call self%page%begin_row()
       do i = 1, size(numbers)
-         select case (self%form)
-         case ('csv')
-            line = line // ',' // exact(numbers(i), self%styles(i))
-         case ('json')
-            line = line // ', "' // trim(self%columns(i)) // '": ' // &
-               json_number(numbers(i), self%styles(i))
-         case default
-            if (self%places(i) < 0) then
-               line = line // ' ' // fixed(numbers(i), trim(self%styles(i)), low, i)
-            else
-               line = line // ' ' // rounded(numbers(i), self%places(i))
+         associate (format => self%columns(i))
+            if (.not. self%in_text) then
+               call self%page%before_number(i)
+               call self%page%append(data_of(self, numbers(i), format))
+            else if (format%head /= '-') then
+               call append(line, written(numbers(i), format, 0), format%width)
             end if
-         end select
+         end associate
       end do
-      if (self%form == 'json') then
-         call put(trim(merge(' ', ',', self%first)) // '{' // line(3:) // '}')
-      else
-         call put(line(2:))
-      end if
-      self%first = .false.
-   end subroutine row
+      call self%page%append(line)
+      call self%page%end_row()
+   end subroutine row_of_words
+
+
+   subroutine row_of_reals(self, numbers)
+      class(sheet), intent(inout) :: self
+      real(wp), intent(in) :: numbers(:)
+      type(double_word) :: words(size(numbers))
+
+      words%hi = numbers
+      words%lo = 0.0_wp
+      call self%row(words)
+   end subroutine row_of_reals
 
 
    subroutine end(self)
-      class(sheet), intent(in) :: self
+      class(sheet), intent(inout) :: self
 
-      if (self%form == 'json') call put(']')
+      call self%page%end()
    end subroutine end
 
 
-   !> A number in a format with a width, i for whole ones; with the i-th of `low`, where there is one
-   pure function fixed(x, style, low, i) result(text)
-      real(wp), intent(in) :: x
-      character(len=*), intent(in) :: style
-      real(wp), intent(in), optional :: low(:)
-      integer, intent(in), optional :: i
-      character(len=:), allocatable :: text
-      character(len=40) :: buffer
-
-      if (style(1:1) == 'i') then
-         write(buffer, '(' // style // ')') nint(x, int64)
-      else
-         write(buffer, '(' // style // ')') x
-      end if
-      text = buffer(:width_of(style))
-      if (.not. present(low)) return
-      if (abs(low(i)) > 0.0_wp) then
-         buffer = fixed_words(double_word(x, low(i)))
-         text(:) = adjustr(buffer(:len(text)))
-      end if
-   end function fixed
-
-
-   !> A number with `places` decimals, rounded to nearest. By whole numbers, many times as fast as a
-   !> `write`, where x times the power of ten is no tie or so large that it might be one.
-   pure function rounded(x, places) result(text)
-      real(wp), intent(in) :: x
-      integer, intent(in) :: places
-      character(len=:), allocatable :: text
-      character(len=400) :: buffer
-      character(len=12) :: style
-      real(wp) :: scaled
-
-      scaled = min(abs(x), 1.0e16_wp)*10.0_wp**places
-      if (scaled < 1.0e15_wp .and. abs(scaled - aint(scaled) - 0.5_wp) > 0.01_wp) then
-         text = to_text(decimal(nint(scaled, int64), places))
-         if (sign(1.0_wp, x) < 0.0_wp) text = '-' // text
-      else
-         write(style, '("(f400.", i0, ")")') places
-         write(buffer, style) x
-         text = trim(adjustl(buffer))
-      end if
-   end function rounded
-
-
-   !> The decimals in f0.6 and the like; -1 in a format with a width
-   pure function places_of(style) result(places)
-      character(len=*), intent(in) :: style
-      integer :: places
-
-      places = -1
-      if (width_of(style) == 0) read(style(index(style, '.') + 1:), '(i8)') places
-   end function places_of
-
-
-   !> The width in a format, as 20 in f20.15; 0 in f0.6
-   pure function width_of(style) result(width)
-      character(len=*), intent(in) :: style
-      integer :: width
-      integer :: first, last
-
-      first = scan(style, '0123456789')
-      last = scan(trim(style) // '.', '.') - 1
-      read(style(first:last), '(i8)') width
-   end function width_of
-
-
-   !> A number that reads back as itself: seventeen digits, or a whole one
-   pure function exact(x, style) result(text)
-      real(wp), intent(in) :: x
-      character(len=*), intent(in) :: style
-      character(len=:), allocatable :: text
-
-      text = trim(adjustl(fixed(x, merge('i24      ', 'es24.16e3', style(1:1) == 'i'))))
-   end function exact
-
-
-   !> JSON has no infinity and no NaN.
-   pure function json_number(x, style) result(text)
-      real(wp), intent(in) :: x
-      character(len=*), intent(in) :: style
+   !> A number in csv or json, which has no infinity and no NaN
+   pure function data_of(self, x, format) result(text)
+      class(sheet), intent(in) :: self
+      type(double_word), intent(in) :: x
+      type(column), intent(in) :: format
       character(len=:), allocatable :: text
 
       text = 'null'
-      if (abs(x) <= huge(x)) text = exact(x, style)
-   end function json_number
+      if (abs(x%hi) <= huge(x%hi) .or. .not. self%page%in_json) text = written(x, format, format%in_csv)
+   end function data_of
+
+
+   pure function written(x, format, least) result(text)
+      type(double_word), intent(in) :: x
+      type(column), intent(in) :: format
+      integer, intent(in) :: least
+      character(len=:), allocatable :: text
+      integer :: count, most_digits
+
+      count = max(format%count, least)
+      most_digits = merge(18, 15, format%style == places_of_words)
+      if (format%style == powers) then
+         text = scientific(x, count)
+      else if (format%style == digits .or. .not. abs(x%hi) < 10.0_wp**(most_digits - count)) then
+         text = significant(x, merge(count, most_digits, format%style == digits))
+      else
+         text = fixed(x, count)
+      end if
+   end function written
+
+
+   elemental function head_of(format) result(head)
+      type(column), intent(in) :: format
+      character(len=20) :: head
+
+      head = format%head
+      if (head == '') head = format%name
+   end function head_of
+
+
+   !> What the numbers of a column need at most, most of the time
+   elemental function least_width(format) result(width)
+      type(column), intent(in) :: format
+      integer :: width
+
+      select case (format%style)
+      case (whole)
+         width = 4
+      case (digits, powers)
+         ! a point, and a sign or e-10
+         width = format%count + merge(1, 5, format%count > 4)
+      case default
+         width = format%count + 4
+      end select
+   end function least_width
+
+
+   !> Text behind as many blanks as make it that wide, at least one but at the beginning of a line
+   pure subroutine append(line, text, width)
+      character(len=:), allocatable, intent(inout) :: line
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: width
+
+      line = line // repeat(' ', max(min(1, len(line)), width - len(text))) // text
+   end subroutine append
 
 end module furiko_cli_sheet

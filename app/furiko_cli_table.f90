@@ -3,169 +3,98 @@
 !> `furiko table`: how the period of a pendulum grows with its amplitude.
 module furiko_cli_table
    use, intrinsic :: iso_fortran_env, only : int64
-   use furiko_cli_arguments, only : argument_reader, value_of
-   use furiko_cli_decimal, only : decimal, fixed, read_decimal, rescale, to_double_word, to_text
-   use furiko_cli_terminal, only : finish, put, refuse
+   use furiko_cli_decimal, only : decimal, read_decimal, rescale, to_double_word
+   use furiko_cli_io, only : finish, refuse
+   use furiko_cli_options, only : command, command_line, demand, option, word
+   use furiko_cli_sheet, only : begin_sheet, column, format_option, places_of_words, sheet
    use furiko_period_degrees, only : period_ratio_degrees
    implicit none
    private
-   public :: table_command
-
-
-   character(len=*), parameter :: nl = new_line('a')
-   character(len=*), parameter :: help = &
-      'furiko table [--from A] [--to B] [--step S] [--format text|csv|json]' // nl // nl // &
-      'The period of a pendulum over that of its small swings, T/T_h = (2/pi) K(sin(A/2)),' // nl // &
-      'for amplitudes A in degrees, every value correctly rounded to 15 decimals.' // nl // nl // &
-      '  --from A     first amplitude, 0 <= A < 180 degrees, fractions allowed (0)' // nl // &
-      '  --to B       last amplitude, A <= B < 180; always the last row (179)' // nl // &
-      '  --step S     distance of the rows, S > 0 (1)' // nl // &
-      '  --format F   text (as in the lecture note), csv or json (text)' // nl // nl // &
-      'Numbers have at most 15 decimal places. Example:' // nl // nl // &
-      '  furiko table --from 179 --to 179.999999 --step 0.1 --format csv'
+   public :: table_usage
 
 
 contains
 
 
-   !> Parse the words that follow `table`, then print.
-   subroutine table_command(arguments)
-      type(argument_reader), intent(inout) :: arguments
-      type(decimal) :: first, last, step
-      character(len=:), allocatable :: form, option
+   function table_usage() result(usage)
+      type(command) :: usage
 
-      first = decimal(0)
-      last = decimal(179)
-      step = decimal(1)
-      form = 'text'
-      do while (.not. arguments%done())
-         option = arguments%word()
-         call arguments%advance()
-         select case (option)
-         case ('-h', '--help')
-            call put(help)
-            call finish()
-            return
-         case ('--from')
-            call read_amplitude(option, value_of('furiko table', option, arguments), first)
-         case ('--to')
-            call read_amplitude(option, value_of('furiko table', option, arguments), last)
-         case ('--step')
-            call read_step(option, value_of('furiko table', option, arguments), step)
-         case ('--format')
-            form = value_of('furiko table', option, arguments)
-            if (all(form /= [character(len=4) :: 'text', 'csv', 'json'])) then
-               call reject("--format '" // form // "' is none of text, csv, json")
-            end if
-         case default
-            call reject("unknown word '" // option // "'; see furiko table --help")
-         end select
+      usage = command('table', 'the period of a pendulum against its amplitude; the default', &
+         about='The period of a pendulum over that of its small swings, T/T_h = (2/pi) K(sin(A/2)), ' // &
+         'for amplitudes A in degrees, every value correctly rounded to 15 decimals. Text is that of ' // &
+         'the lecture note, without a head.', &
+         notes='Numbers have at most 15 decimal places.', &
+         example='furiko table --from 179 --to 179.999999 --step 0.1 --format csv', &
+         options=[ &
+         option('--from', 'A', '0', 'first amplitude, 0 <= A < 180 degrees, fractions allowed'), &
+         option('--to', 'B', '179', 'last amplitude, A <= B < 180; always the last row'), &
+         option('--step', 'S', '1', 'distance of the rows, S > 0'), &
+         format_option], run=table_command)
+   end function table_usage
+
+
+   !> Rows at first, first + step, ... and at last, all in steps of the last decimal place
+   subroutine table_command(line)
+      type(command_line), intent(in) :: line
+      type(decimal) :: first, last, step
+      type(sheet) :: page
+      type(word) :: from, to
+      integer(int64) :: amplitude
+      integer :: digits
+
+      from = line%value('--from')
+      to = line%value('--to')
+      first = amplitude_of(from)
+      last = amplitude_of(to)
+      step = decimal_of(line%value('--step'))
+      call demand(step%digits > 0, line%value('--step'), 'step > 0 degrees')
+      digits = max(first%places, last%places, step%places)
+      first = rescale(first, digits)
+      last = rescale(last, digits)
+      step = rescale(step, digits)
+      if (first%digits > last%digits) call line%reject('--from ' // from%text // ' is beyond --to ' // &
+         to%text)
+
+      ! the columns of the note's '%2d %20.15f', the first as wide as its decimals ask
+      page = begin_sheet(line, [column('amplitude_deg', places_of_words, digits, &
+         width=merge(2, digits + 4, digits == 0)), column('period_ratio', places_of_words, 15, width=21)], &
+         .true., (last%digits - first%digits - 1)/step%digits + 2)
+      ! a counted loop: in any other flang keeps each row's text on the stack
+      do amplitude = first%digits, last%digits - 1, step%digits
+         call put_row(page, decimal(amplitude, digits))
       end do
-      call print_table(first, last, step, form)
+      call put_row(page, last)
+      call page%end()
+      call finish()
    end subroutine table_command
 
 
-   subroutine read_amplitude(option, word, amplitude)
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(decimal), intent(out) :: amplitude
+   subroutine put_row(page, amplitude)
+      type(sheet), intent(inout) :: page
+      type(decimal), intent(in) :: amplitude
 
-      call read_number(option, word, amplitude)
-      if (amplitude%digits < 0 .or. amplitude%digits >= 180*10_int64**amplitude%places) then
-         call reject(option // ' ' // word // &
-            ' is outside 0 <= amplitude < 180 degrees (at 180 the period is infinite)')
-      end if
-   end subroutine read_amplitude
+      call page%row([to_double_word(amplitude), period_ratio_degrees(to_double_word(amplitude))])
+   end subroutine put_row
 
 
-   subroutine read_step(option, word, step)
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(decimal), intent(out) :: step
+   function amplitude_of(given) result(amplitude)
+      type(word), intent(in) :: given
+      type(decimal) :: amplitude
 
-      call read_number(option, word, step)
-      if (step%digits <= 0) call reject(option // ' ' // word // ' is not above 0 degrees')
-   end subroutine read_step
+      amplitude = decimal_of(given)
+      call demand(amplitude%digits >= 0 .and. amplitude%digits < 180*10_int64**amplitude%places, given, &
+         '0 <= amplitude < 180 degrees (at 180 the period is infinite)')
+   end function amplitude_of
 
 
-   subroutine read_number(option, word, number)
-      character(len=*), intent(in) :: option
-      character(len=*), intent(in) :: word
-      type(decimal), intent(out) :: number
+   function decimal_of(given) result(number)
+      type(word), intent(in) :: given
+      type(decimal) :: number
       logical :: valid
 
-      call read_decimal(word, number, valid)
-      if (valid) return
-      call reject(option // " '" // word // "' is not a number below 1000 with at most 15 decimals")
-   end subroutine read_number
-
-
-   !> Rows at first, first + step, ... and at last, all in steps of the last decimal place.
-   subroutine print_table(first, last, step, form)
-      type(decimal), intent(in) :: first
-      type(decimal), intent(in) :: last
-      type(decimal), intent(in) :: step
-      character(len=*), intent(in) :: form
-      type(decimal) :: amplitude, limit, stride
-      integer(int64) :: digits
-      integer :: places
-
-      places = max(first%places, last%places, step%places)
-      amplitude = rescale(first, places)
-      limit = rescale(last, places)
-      stride = rescale(step, places)
-      if (amplitude%digits > limit%digits) then
-         call reject('--from ' // to_text(first) // ' is beyond --to ' // to_text(last))
-      end if
-
-      if (form == 'csv') call put('amplitude_deg,period_ratio')
-      if (form == 'json') call put('[')
-      ! a counted loop: in any other flang keeps each row's text on the stack
-      do digits = amplitude%digits, limit%digits - 1, stride%digits
-         call put(row(decimal(digits, places), form) // trim(merge(',', ' ', form == 'json')))
-      end do
-      call put(row(limit, form))
-      if (form == 'json') call put(']')
-      call finish()
-   end subroutine print_table
-
-
-   !> One amplitude and its period; in text the columns of the note's '%2d %20.15f', the first
-   !> as wide as its decimals ask.
-   pure function row(amplitude, form) result(line)
-      type(decimal), intent(in) :: amplitude
-      character(len=*), intent(in) :: form
-      character(len=:), allocatable :: line
-      character(len=:), allocatable :: angle, ratio
-
-      angle = to_text(amplitude)
-      ratio = fixed(period_ratio_degrees(to_double_word(amplitude)))
-      select case (form)
-      case ('csv')
-         line = angle // ',' // ratio
-      case ('json')
-         line = '  {"amplitude_deg": ' // angle // ', "period_ratio": ' // ratio // '}'
-      case default
-         line = right(angle, merge(2, amplitude%places + 4, amplitude%places == 0)) // ' ' // &
-            right(ratio, 20)
-      end select
-   end function row
-
-
-   !> text behind as many blanks as make it that wide.
-   pure function right(text, width)
-      character(len=*), intent(in) :: text
-      integer, intent(in) :: width
-      character(len=:), allocatable :: right
-
-      right = repeat(' ', max(0, width - len(text))) // text
-   end function right
-
-
-   subroutine reject(message)
-      character(len=*), intent(in) :: message
-
-      call refuse('furiko table: ' // message)
-   end subroutine reject
+      call read_decimal(given%text, number, valid)
+      if (.not. valid) call refuse(given%what // " '" // given%text // &
+         "' is not a number below 1000 with at most 15 decimals")
+   end function decimal_of
 
 end module furiko_cli_table

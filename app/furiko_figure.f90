@@ -3,6 +3,7 @@
 !> A figure: its curves, which the library computed, and the gnuplot commands that draw them.
 module furiko_figure
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_cli_text, only : whole_text
    implicit none
    private
    public :: figure, curve, amplitude, fixed, to_text, ramp
@@ -185,10 +186,8 @@ contains
    pure function integer_to_text(number) result(text)
       integer, intent(in) :: number
       character(len=:), allocatable :: text
-      character(len=12) :: buffer
 
-      write(buffer, '(i0)') number
-      text = trim(buffer)
+      text = whole_text(number)
    end function integer_to_text
 
 

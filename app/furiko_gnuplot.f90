@@ -2,14 +2,16 @@
 
 !> Figures drawn by gnuplot: the script, the call, and a picture that is there whole or not at all.
 !>
-!> All work is done in a folder of its own beside the picture, which is entered: the shell and gnuplot
-!> see only names that are written here, for gnuplot runs a file's name that begins with < or | as a
-!> command. The last step is a rename on one disk.
+!> gnuplot is told script and data as its input and answers with the picture: it sees no file of the
+!> user's, and none lies about if anything is ended.
 module furiko_gnuplot
-   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_files, only : can_replace, enter_folder, folder_of, is_there, make_folder, move_file, &
-      name_of, process_id, remove_file, tail_of, write_file
-   use furiko_cli_terminal, only : complain, fail, quit, say_why
+   use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_null_char, c_ptr
+   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_cli_files, only : append_text, descriptor_of, folder_of, is_taken, name_of, nameless_file, &
+      open_output, output, text_of, to_start
+   use furiko_cli_io, only : complain, fail, quit
+   use furiko_cli_process, only : run_filter
+   use furiko_cli_text, only : replaced
    use furiko_figure, only : figure, to_text
    implicit none
    private
@@ -20,27 +22,36 @@ module furiko_gnuplot
    character(len=*), parameter :: endings(*) = [character(len=4) :: '.svg', '.png', '.pdf']
    !> What stands within the last bytes of a whole picture of each kind
    character(len=*), parameter :: closings(*) = [character(len=6) :: '</svg>', 'IEND', '%%EOF']
-   character(len=*), parameter :: data_name = 'furiko.csv'
-   character(len=*), parameter :: picture_name = 'furiko'
-   character(len=*), parameter :: script_name = 'furiko.gp'
-   character(len=*), parameter :: log_name = 'furiko.log'
-   !> The shell's code for a command that is not there
+   !> The code for a program that is not there
    integer, parameter :: not_found = 127
    real(wp), parameter :: pixels_per_inch = 96.0_wp
 
 
-   !> A picture to be made, its work folder open.
+   !> A picture to be made, and the data and the script that go beside it.
    type :: picture
       private
       character(len=:), allocatable :: path
-      character(len=:), allocatable :: work
-      !> The name without its folder; without its ending, too
-      character(len=:), allocatable :: name
-      character(len=:), allocatable :: stem
+      type(output) :: file
+      type(output) :: data
+      type(output) :: script
+      !> Leave data and script
+      logical :: keep = .false.
       integer :: form = 0
       integer :: width = 0
       integer :: height = 0
    end type picture
+
+
+   interface
+      function c_setenv(name, value, replace) result(stat) bind(c, name='setenv')
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: name(*)
+         character(kind=c_char), intent(in) :: value(*)
+         integer(c_int), value :: replace
+         integer(c_int) :: stat
+      end function c_setenv
+   end interface
 
 
 contains
@@ -55,132 +66,145 @@ contains
    end function is_picture_name
 
 
-   !> Find out whether the picture can be written, and open its work folder; does not return if not.
-   subroutine begin_picture(path, width, height, self)
+   !> Find out whether the picture can be written, and what goes beside it; does not return if not.
+   subroutine begin_picture(path, width, height, keep, self)
       !> Where it goes: a name that [[is_picture_name]] knows
       character(len=*), intent(in) :: path
       !> Its size in pixels
       integer, intent(in) :: width
       integer, intent(in) :: height
+      !> Leave the data and the script beside it
+      logical, intent(in) :: keep
       type(picture), intent(out) :: self
-      character(len=40) :: tag
-      integer(int64) :: ticks
-      logical :: done
 
-      call system_clock(ticks)
-      write(tag, '(a, i0, a, i0)') '.furiko-', process_id(), '-', ticks
       self%path = path
-      self%work = trim(tag)
-      self%name = name_of(path)
-      self%stem = self%name(:len(self%name) - len(endings))
       self%form = form_of(path)
       self%width = width
       self%height = height
-      if (.not. can_replace(path)) then
-         call complain('furiko: cannot write ' // path // ': it is a folder, or write-protected')
-         call quit()
-      end if
-      call make_folder(folder_of(path) // self%work, done)
-      if (done) call enter_folder(folder_of(path) // self%work, done)
-      if (.not. done) call fail(path)
+      self%keep = keep
+      self%file = open_output(path)
+      if (keep) call open_beside(self)
    end subroutine begin_picture
 
 
-   !> Draw a figure. Without gnuplot its data and script are left beside the picture's place, as
-   !> with `keep`, and the program ends with code 3.
-   subroutine draw(self, content, title, keep)
-      type(picture), intent(in) :: self
+   !> Draw a figure. Without gnuplot its data and script are left beside the picture's place, as they
+   !> are if they are to be kept, and the program ends with code 3.
+   subroutine draw(self, content, title)
+      type(picture), intent(inout) :: self
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
-      !> Leave the data and the script beside the picture
-      logical, intent(in) :: keep
-      character(len=:), allocatable :: drawn
-      integer :: code, ignored
-      logical :: done
+      character(len=:), allocatable :: drawn, said
+      integer :: code
 
-      drawn = picture_name // endings(self%form)
-      call write_file(data_name, content%csv(), done)
-      if (done) call write_file(script_name, script_of(self, content, title, data_name, drawn), done)
-      if (.not. done) call give_up(self)
-      ! A terminal of the user's that it does not have can crash gnuplot; cmdstat is asked for since
-      ! flang stops at a command's own exit code otherwise
-      ! allow(C181)
-      call execute_command_line('GNUTERM=unknown gnuplot -d ' // script_name // ' >' // log_name // ' 2>&1', &
-         exitstat=code, cmdstat=ignored)
-      if (code == not_found) call leave_for_later(self, content, title, keep)
-      if (keep) call keep_data(self, content, title)
-
-      done = code == 0
-      if (done) done = index(tail_of(drawn, 16), trim(closings(self%form))) > 0
-      if (.not. done) then
+      ! A name that begins with $ is one of data in the script
+      call ask_gnuplot(self, script_of(self, content, title, '$data << END' // nl // content%csv() // &
+         'END' // nl // "data = '$data'"), drawn, said, code)
+      if (code == not_found) call leave_for_later(self, content, title)
+      if (self%keep) call keep_data(self, content, title)
+      if (code /= 0 .or. index(tail(drawn, 16), trim(closings(self%form))) == 0) then
+         if (verify(said, nl // ' ') == 0) said = 'it has said nothing, and ended with ' // &
+            to_text(code) // '; is there room in $TMPDIR or /tmp?'
          call complain('furiko plot: gnuplot drew no whole ' // self%path // ': ' // &
-            last_line(tail_of(log_name, 1000)))
-         call clear(self)
+            last_line(tail(said, 1000)))
          call quit()
       end if
-      call move_file(drawn, '../' // self%name, done)
-      if (.not. done) call give_up(self)
-      call clear(self)
+      call self%file%add(drawn)
+      call self%file%close()
    end subroutine draw
 
 
-   !> Without gnuplot: data and script for whoever has it. Does not return.
-   subroutine leave_for_later(self, content, title, replace)
+   !> Run gnuplot on a script; `code` is its own or [[not_found]].
+   subroutine ask_gnuplot(self, script, drawn, said, code)
       type(picture), intent(in) :: self
+      character(len=*), intent(in) :: script
+      !> The picture
+      character(len=:), allocatable, intent(out) :: drawn
+      !> What it says of errors
+      character(len=:), allocatable, intent(out) :: said
+      integer, intent(out) :: code
+      type(c_ptr) :: streams(3)
+      integer(c_int) :: ignored
+      integer :: i
+
+      do i = 1, size(streams)
+         streams(i) = nameless_file(folder_of(self%path))
+         if (.not. c_associated(streams(i))) call fail('a temporary file')
+      end do
+      if (.not. append_text(streams(1), script)) call fail('a temporary file')
+      call to_start(streams(1))
+      ! A terminal of the user's that it does not have can crash gnuplot
+      ignored = c_setenv('GNUTERM' // c_null_char, 'unknown' // c_null_char, 1_c_int)
+      call run_filter('gnuplot', '-d', [(descriptor_of(streams(i)), i=1, size(streams))], code)
+      if (code < 0) call fail(self%path)
+      drawn = text_of(streams(2))
+      said = text_of(streams(3))
+   end subroutine ask_gnuplot
+
+
+   !> Without gnuplot: data and script for whoever has it. Does not return.
+   subroutine leave_for_later(self, content, title)
+      type(picture), intent(inout) :: self
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
-      !> Whether files of these names may be replaced
-      logical, intent(in) :: replace
+      character(len=:), allocatable :: stem
       logical :: taken
 
-      taken = is_there('../' // self%stem // '.csv')
-      if (.not. taken) taken = is_there('../' // self%stem // '.gp')
-      if (taken .and. .not. replace) then
+      stem = stem_of(self%path)
+      taken = is_taken(stem // '.csv')
+      if (.not. taken) taken = is_taken(stem // '.gp')
+      if (taken .and. .not. self%keep) then
          call complain('furiko plot: no gnuplot here (apt-get install gnuplot-nox), and no data and ' // &
-            'script for it: there is a ' // self%stem // '.csv or .gp already; --data replaces them')
+            'script for it: there is a ' // name_of(stem) // '.csv or .gp already; --data replaces them')
       else
+         if (.not. self%keep) call open_beside(self)
          call keep_data(self, content, title)
          call complain('furiko plot: no gnuplot here, so data and script are written; apt-get ' // &
             'install gnuplot-nox, then, in ' // folder_of(self%path) // ': gnuplot ' // &
-            quoted('./' // self%stem // '.gp', "'\''"))
+            quoted('./' // name_of(stem) // '.gp', "'\''"))
       end if
-      call clear(self)
       call quit(3)
    end subroutine leave_for_later
+
+
+   !> Open data and script. Where the user has not asked for them they replace nothing.
+   subroutine open_beside(self)
+      type(picture), intent(inout) :: self
+
+      self%data = open_output(stem_of(self%path) // '.csv', fresh=.not. self%keep)
+      self%script = open_output(stem_of(self%path) // '.gp', fresh=.not. self%keep)
+   end subroutine open_beside
 
 
    !> Leave the data and a script for them, which go by the picture's name. None of the names that the
    !> script says begins with a character that gnuplot takes for a command's.
    subroutine keep_data(self, content, title)
-      type(picture), intent(in) :: self
+      type(picture), intent(inout) :: self
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
-      logical :: done
 
-      call write_file(script_name, script_of(self, content, title, './' // self%stem // '.csv', &
-         './' // self%name), done)
-      if (done) call move_file(data_name, '../' // self%stem // '.csv', done)
-      if (done) call move_file(script_name, '../' // self%stem // '.gp', done)
-      if (.not. done) call give_up(self)
+      call self%data%add(content%csv())
+      call self%script%add(script_of(self, content, title, 'set output ' // &
+         quoted('./' // name_of(self%path)) // nl // 'data = ' // &
+         quoted('./' // name_of(stem_of(self%path)) // '.csv')))
+      call self%data%close()
+      call self%script%close()
    end subroutine keep_data
 
 
-   !> The whole script: it needs the data beside it, and makes the picture there.
-   function script_of(self, content, title, data, drawn) result(text)
+   !> The whole script.
+   function script_of(self, content, title, places) result(text)
       type(picture), intent(in) :: self
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
-      !> The data's and the picture's name
-      character(len=*), intent(in) :: data
-      character(len=*), intent(in) :: drawn
+      !> The lines that say where the data are and where the picture goes
+      character(len=*), intent(in) :: places
       character(len=:), allocatable :: text
 
       text = '# SVG, PNG or PDF by its first lines; made by furiko plot' // nl // &
          'set encoding utf8' // nl // &
          'set minussign' // nl // &
          'set terminal ' // terminal_of(self) // nl // &
-         'set output ' // quoted(drawn) // nl // &
-         'data = ' // quoted(data) // nl // &
+         places // nl // &
          "set datafile separator ','" // nl // &
          'set border 3 lw 1' // nl // &
          'set tics nomirror out' // nl // &
@@ -241,19 +265,10 @@ contains
       character(len=*), intent(in), optional :: quote
       character(len=:), allocatable :: string
       character(len=:), allocatable :: inner
-      integer :: i
 
       inner = "'.""'"".'"
       if (present(quote)) inner = quote
-      string = "'"
-      do i = 1, len(text)
-         if (text(i:i) == "'") then
-            string = string // inner
-         else
-            string = string // text(i:i)
-         end if
-      end do
-      string = string // "'"
+      string = "'" // replaced(text, "'", inner) // "'"
    end function quoted
 
 
@@ -271,6 +286,25 @@ contains
    end function form_of
 
 
+   !> A picture's path without its ending
+   pure function stem_of(path) result(stem)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: stem
+
+      stem = path(:len(path) - len(endings))
+   end function stem_of
+
+
+   !> The last bytes, at most so many
+   pure function tail(text, length)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: length
+      character(len=:), allocatable :: tail
+
+      tail = text(max(1, len(text) - length + 1):)
+   end function tail
+
+
    pure function last_line(text) result(line)
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: line
@@ -278,29 +312,5 @@ contains
       line = text(:verify(text, nl // ' ', back=.true.))
       line = adjustl(line(index(line, nl, back=.true.) + 1:))
    end function last_line
-
-
-   !> Say that the picture cannot be written and why; does not return.
-   subroutine give_up(self)
-      type(picture), intent(in) :: self
-
-      call say_why(self%path)
-      call clear(self)
-      call quit()
-   end subroutine give_up
-
-
-   !> Leave the work folder, in which we are, and remove it.
-   subroutine clear(self)
-      type(picture), intent(in) :: self
-      logical :: ignored
-
-      call remove_file(data_name)
-      call remove_file(script_name)
-      call remove_file(log_name)
-      call remove_file(picture_name // endings(self%form))
-      call enter_folder('..', ignored)
-      call remove_file(self%work)
-   end subroutine clear
 
 end module furiko_gnuplot

@@ -2,7 +2,8 @@
 #include "../src/arithmetic/furiko_compiler.inc"
 
 !> All tests, or one suite, or one test of it: fpm test -- [SUITE [TEST]]; or the accuracy report:
-!> fpm test -- report FILE
+!> fpm test -- report FILE; or all functions at random bits, for so many seconds, by a seed:
+!> fpm test -- fuzz [SECONDS [SEED]]
 program main
    use, intrinsic :: iso_c_binding, only : c_int
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
@@ -22,7 +23,15 @@ program main
    use test_complete_sp, only : collect_complete_sp => collect_complete
    use test_double_word, only : collect_double_word
    use test_edges, only : collect_edges
+   use test_eval, only : collect_eval
    use test_fgsl, only : collect_fgsl
+   use test_files, only : collect_files
+   use test_chance, only : seed_chance
+   use test_fuzz_dp, only : collect_fuzz_dp => collect_fuzz, fuzz_dp => fuzz
+#ifdef FURIKO_REAL128
+   use test_fuzz_qp, only : collect_fuzz_qp => collect_fuzz, fuzz_qp => fuzz
+#endif
+   use test_fuzz_sp, only : collect_fuzz_sp => collect_fuzz, fuzz_sp => fuzz
    use test_incomplete_dp, only : collect_incomplete_dp => collect_incomplete
 #ifdef FURIKO_REAL128
    use test_incomplete_qp, only : collect_incomplete_qp => collect_incomplete
@@ -51,7 +60,14 @@ program main
    use test_nome_sp, only : collect_nome_sp => collect_nome
    use test_notes, only : collect_notes
    use test_pendulum_cli, only : collect_pendulum_cli
+   use test_number, only : collect_number
    use test_plot, only : collect_plot
+   use test_rounding, only : collect_rounding
+   use test_second_inverse_dp, only : collect_second_inverse_dp => collect_second_inverse
+#ifdef FURIKO_REAL128
+   use test_second_inverse_qp, only : collect_second_inverse_qp => collect_second_inverse
+#endif
+   use test_second_inverse_sp, only : collect_second_inverse_sp => collect_second_inverse
    use test_special_dp, only : collect_special_dp => collect_special
 #ifdef FURIKO_REAL128
    use test_special_qp, only : collect_special_qp => collect_special
@@ -80,7 +96,10 @@ program main
       new_testsuite('known-values', collect_known_values), &
       new_testsuite('table', collect_table), &
       new_testsuite('catalogue', collect_catalogue), &
+      new_testsuite('number', collect_number), &
       new_testsuite('cli', collect_cli), &
+      new_testsuite('eval', collect_eval), &
+      new_testsuite('files', collect_files), &
       new_testsuite('pendulum-cli', collect_pendulum_cli), &
       new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
@@ -88,6 +107,7 @@ program main
       new_testsuite('double-word', collect_double_word), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
+      new_testsuite('rounding', collect_rounding), &
       new_testsuite('incomplete-real32', collect_incomplete_sp), &
       new_testsuite('incomplete-real64', collect_incomplete_dp), &
       new_testsuite('classics-real32', collect_classics_sp), &
@@ -100,19 +120,25 @@ program main
       new_testsuite('motion-real64', collect_motion_dp), &
       new_testsuite('nome-real32', collect_nome_sp), &
       new_testsuite('nome-real64', collect_nome_dp), &
+      new_testsuite('second-inverse-real32', collect_second_inverse_sp), &
+      new_testsuite('second-inverse-real64', collect_second_inverse_dp), &
       new_testsuite('special-real32', collect_special_sp), &
       new_testsuite('special-real64', collect_special_dp), &
+      new_testsuite('fuzz-real32', collect_fuzz_sp), &
+      new_testsuite('fuzz-real64', collect_fuzz_dp), &
       new_testsuite('edges', collect_edges), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]
 #ifdef FURIKO_REAL128
    suites = [suites, new_testsuite('complete-real128', collect_complete_qp), &
       new_testsuite('incomplete-real128', collect_incomplete_qp), &
+      new_testsuite('second-inverse-real128', collect_second_inverse_qp), &
       new_testsuite('classics-real128', collect_classics_qp), &
       new_testsuite('integrators-real128', collect_integrators_qp), &
       new_testsuite('jacobi-real128', collect_jacobi_qp), &
       new_testsuite('nome-real128', collect_nome_qp), &
       new_testsuite('special-real128', collect_special_qp), &
+      new_testsuite('fuzz-real128', collect_fuzz_qp), &
       new_testsuite('motion-real128', collect_motion_qp)]
 #endif
 
@@ -126,6 +152,10 @@ program main
          call write_report(test)
          stop
       end if
+   end if
+
+   if (allocated(suite)) then
+      if (suite == 'fuzz') call fuzz_for_a_while()
    end if
 
    passed = 0
@@ -182,6 +212,37 @@ contains
       write(error_unit, '(6a)') '       ... ', test%name, ' [', verdict, ']', message
       flush(error_unit)
    end subroutine run
+
+
+   !> All functions at random bits until time is up, after which nothing is left to do.
+   subroutine fuzz_for_a_while()
+      character(len=:), allocatable :: word
+      integer :: broken, first, now, per_second, seconds, seed, tried(3)
+
+      seconds = 60
+      seed = 7
+      if (allocated(test)) read(test, *) seconds
+      call get_argument(3, word)
+      if (allocated(word)) read(word, *) seed
+      call seed_chance(seed)
+      tried = 0
+      broken = 0
+      call system_clock(first, per_second)
+      do
+         call fuzz_sp(tried(1), broken)
+         call fuzz_dp(tried(2), broken)
+#ifdef FURIKO_REAL128
+         call fuzz_qp(tried(3), broken)
+#endif
+         call system_clock(now)
+         if ((now - first)/per_second >= seconds) exit
+      end do
+      write(output_unit, '(4(i0, a))') tried(1), ' rows of arguments in real32, ', tried(2), ' in real64, ', &
+         tried(3), ' in real128; ', broken, ' faults'
+      if (broken > 0) call fail()
+      flush(output_unit)
+      call c_exit(0_c_int)
+   end subroutine fuzz_for_a_while
 
 
    !> Say in a line that there is no such suite, or no such test in it, and which there are, and stop.

@@ -55,4 +55,4 @@ module test_by_name_qp
    include 'test_by_name.inc'
 end module test_by_name_qp
 #endif
-! rooms: 2869323201
+! rooms: 703135753

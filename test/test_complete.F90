@@ -46,4 +46,4 @@ module test_complete_qp
    include 'test_complete.inc'
 end module test_complete_qp
 #endif
-! rooms: 959239987
+! rooms: 3090851768

@@ -46,4 +46,4 @@ module test_incomplete_qp
    include 'test_incomplete.inc'
 end module test_incomplete_qp
 #endif
-! rooms: 2746563625
+! rooms: 4284520611

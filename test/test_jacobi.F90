@@ -17,7 +17,8 @@ module test_jacobi_sp
       jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcsn_m, jacobi_arcsn_mc, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcns_mc, &
+      jacobi_arcnc_m, &
       jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
@@ -45,7 +46,8 @@ module test_jacobi_dp
       jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcsn_m, jacobi_arcsn_mc, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcns_mc, &
+      jacobi_arcnc_m, &
       jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
@@ -74,7 +76,8 @@ module test_jacobi_qp
       jacobi_arcsc_k, jacobi_arccs_k, jacobi_arcsd_k, jacobi_arcds_k, jacobi_arccd_k, jacobi_arcdc_k, &
       jacobi_sn_m, jacobi_cn_m, jacobi_dn_m, jacobi_ns_m, jacobi_nc_m, jacobi_nd_m, &
       jacobi_sc_m, jacobi_cs_m, jacobi_sd_m, jacobi_ds_m, jacobi_cd_m, jacobi_dc_m, &
-      jacobi_arcsn_m, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcnc_m, &
+      jacobi_arcsn_m, jacobi_arcsn_mc, jacobi_arccn_m, jacobi_arcdn_m, jacobi_arcns_m, jacobi_arcns_mc, &
+      jacobi_arcnc_m, &
       jacobi_arcnd_m, &
       jacobi_arcsc_m, jacobi_arccs_m, jacobi_arcsd_m, jacobi_arcds_m, jacobi_arccd_m, jacobi_arcdc_m
    use test_measurement, only : unpack
@@ -85,4 +88,4 @@ module test_jacobi_qp
    include 'test_jacobi.inc'
 end module test_jacobi_qp
 #endif
-! rooms: 1812496045
+! rooms: 3142977415

@@ -4,7 +4,7 @@
 !> picture and one line. Where gnuplot is missing the tests that draw are skipped.
 module test_plot
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use test_program, only : contents, line_count, run_program, run_shell, test_folder
+   use test_program, only : contents, line_count, run_inside, run_program, run_shell, work
    use testdrive, only : check, error_type, new_unittest, skip_test, test_failed, unittest_type
    implicit none
    private
@@ -83,6 +83,7 @@ contains
          'energy -o x.svg --amplitude 1,2', 'period -o x.svg --amplitude 1', &
          'accuracy -o x.svg --amplitude 1', 'phase -o x.svg --title "$(printf "a\nb")"', &
          'phase -o "$(printf "a\nb.svg")"', 'phase -o x.svg --title "$(printf "\033")"', &
+         'phase -o x.svg --title "a]]>b"', 'phase -o x.svg --title "$(printf "%1001d" 1)"', &
          'phase -o x.svg --title "$(printf "a\377b")"', 'phase -o x.svg --title "$(printf "\303")"', &
          'phase -o x.svg --title "$(printf "\357\277\276")"', &
          'phase -o x.svg --title "$(printf "x\357\277\277")"', &
@@ -114,7 +115,7 @@ contains
       if (allocated(error)) return
       call run_inside('mkdir x.svg; furiko plot phase -o x.svg', output, errors, code)
       call check(error, code == 1 .and. output == 'x.svg' // nl .and. line_count(errors) == 1 .and. &
-         index(errors, 'furiko: cannot write x.svg: it is a folder') == 1, errors)
+         index(errors, 'furiko: cannot write x.svg: Is a directory') == 1, errors)
    end subroutine test_places
 
 
@@ -143,7 +144,7 @@ contains
    subroutine test_failing_gnuplot(error)
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: scripts(*) = [character(len=40) :: 'echo oops >&2; exit 1', &
-         'exit 0', 'echo "<svg " >furiko.svg', 'echo half >furiko.svg; kill -9 $$']
+         'exit 0', 'echo "<svg "', 'echo "</svg>"; kill -9 $$']
       character(len=:), allocatable :: errors, output
       integer :: code, i
 
@@ -561,26 +562,5 @@ contains
       call run_shell('command -v gnuplot', output, errors, code)
       have_gnuplot = code == 0
    end function have_gnuplot
-
-
-   !> Run a shell command in a new folder; its output ends with what lies there then.
-   subroutine run_inside(command, output, errors, code)
-      character(len=*), intent(in) :: command
-      character(len=:), allocatable, intent(out) :: output
-      character(len=:), allocatable, intent(out) :: errors
-      integer, intent(out) :: code
-
-      call run_shell('rm -rf ' // work() // '; mkdir ' // work() // '; program=$(realpath ' // &
-         test_folder() // '/../app/furiko); furiko() { "$program" "$@"; }; cd ' // work() // '; ' // &
-         command // '; code=$?; ls -A; (exit $code)', output, errors, code)
-   end subroutine run_inside
-
-
-   !> A folder for pictures beside the test program
-   function work()
-      character(len=:), allocatable :: work
-
-      work = test_folder() // '/pictures'
-   end function work
 
 end module test_plot

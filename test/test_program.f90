@@ -4,7 +4,7 @@
 module test_program
    implicit none
    private
-   public :: run_program, run_shell, line_count, test_folder, contents
+   public :: run_program, run_shell, run_inside, work, line_count, test_folder, contents
 
 
 contains
@@ -41,6 +41,27 @@ contains
       output = contents(out_file)
       errors = contents(error_file)
    end subroutine run_shell
+
+
+   !> Run a shell command in a new folder; its output ends with what lies there then.
+   subroutine run_inside(command, output, errors, code)
+      character(len=*), intent(in) :: command
+      character(len=:), allocatable, intent(out) :: output
+      character(len=:), allocatable, intent(out) :: errors
+      integer, intent(out) :: code
+
+      call run_shell('rm -rf ' // work() // '; mkdir ' // work() // '; program=$(realpath ' // &
+         test_folder() // '/../app/furiko); furiko() { "$program" "$@"; }; cd ' // work() // '; ' // &
+         command // '; code=$?; ls -A; (exit $code)', output, errors, code)
+   end subroutine run_inside
+
+
+   !> A folder for files beside the test program
+   function work()
+      character(len=:), allocatable :: work
+
+      work = test_folder() // '/files'
+   end function work
 
 
    !> Where the running test program lies: build/COMPILER_HASH/test

@@ -4,14 +4,17 @@
 
 usage: make_complete_coefficients.py [folder]       (needs mpmath; the output depends on this file only)
 
-With x = mc, A = ln 4 + |ln x|/2, and 2^5 segments in each octave of x:
+Those of the real32 kernel are real64 numbers: it computes in real64, and rounds once.
+With x = mc, A = ln 4 + |ln x|/2, and 2^5 segments in each octave of x (2^4 for real32):
   near  2^-10 <= x < 2^6: f(x) = c0 + t (c1 + t (c2 + ...)), t = x - centre, one row per segment.
         The centre is chosen close to the middle, such that c0 and c1 happen to be machine numbers
         to a few more bits (Gal and Bachelis, ACM TOMS 17 (1991) 26-45); 1 - centre is one, too.
+        For real32 it is the middle.
         A bound of the error, for every x and not for samples, is asserted for every row.
   far   K = A + x (A S - T),  D = A - 1 + x (A S - T),
         E = 1 + x (A/2 - 1/4 + x (A S - T)),  B = 1 + x (3/4 - A/2 + x (A S - T)), x < 2^-6:
         S and T polynomials in x (DLMF 19.12.1, 19.12.2); above 2^6 through 1/x.
+        For real32 E = 1 + x (A S - T), B = 1 + x (A S - T).
   sine  sin(b)^2 = v - v^2/3 + v^3 R(v), v = b^2, abs(b) <= pi/4.
   log   ln(f)/2 = (f - 1)/2 - s ((f - 1)/2 - s^2 R(s^2)), s = (f - 1)/(f + 1), 1/2 <= f^2 <= 2.
 All polynomials interpolate at Chebyshev nodes.
@@ -23,16 +26,18 @@ import mpmath as mp
 
 mp.mp.prec = 400
 BELOW, ABOVE = 10, 6               # octaves below and above 1
-SEGMENTS = 32                      # in each
-TRIALS = 1024                      # centres tried for each row, at most
 GOOD = mp.mpf(2)**-8               # ulps of error of c0 + h c1 that end the search
-ULPS = 0.035                       # of error allowed to a row, beyond the last rounding
+FIRST = {'e': (0.5, 0.25), 'b': (-0.5, -0.75)}  # terms of A S - T of E and B that stand apart for real64
 
 
 class Kind:
-    def __init__(self, name, digits, near, far, log, sine, grid):
-        self.name, self.digits, self.near, self.far, self.log, self.sine, self.grid = \
-            name, digits, near, far, log, sine, grid
+    """segments in an octave; centres tried for a row, at most; ulps of error allowed to a row, beyond
+    the last rounding; the bits a high coefficient may lack; degrees; the grid of split numbers"""
+    digits = 53
+
+    def __init__(self, name, segments, trials, ulps, spare, near, far, log, sine, grid):
+        self.name, self.segments, self.trials, self.ulps, self.spare = name, segments, trials, ulps, spare
+        self.near, self.far, self.log, self.sine, self.grid = near, far, log, sine, grid
 
     def round(self, v):
         """the nearest number of this kind (exponent range ignored)"""
@@ -42,7 +47,7 @@ class Kind:
         return mp.ldexp(mp.nint(mp.ldexp(v, -e)), e)
 
 
-KINDS = [Kind('sp', 24, 4, 2, 2, 3, 17), Kind('dp', 53, 8, 6, 6, 6, 42)]
+KINDS = [Kind('sp', 16, 1, 700, -4, 6, 4, 5, 6, None), Kind('dp', 32, 1024, 0.035, 13, 8, 6, 6, 6, 42)]
 
 
 def ke(x):
@@ -105,7 +110,7 @@ def row(kind, lo, hi, c):
                     max(exponent, 0) - kind.digits)
     good = mp.ldexp(GOOD, mp.frexp(c[0])[1] - kind.digits)
     best, where = mp.inf, 0
-    for i in range(min(TRIALS, int(h/step))):
+    for i in range(min(kind.trials, int(h/step))):
         d = ((i + 1)//2 if i % 2 else -i//2)*step  # from the middle outwards
         c0, c1 = c[0] + d*(c[1] + d*(c[2] + d*c[3])), c[1] + d*(2*c[2] + 3*d*c[3])
         bad = abs(c0 - kind.round(c0)) + h*abs(c1 - kind.round(c1))
@@ -114,7 +119,7 @@ def row(kind, lo, hi, c):
         if best < good:
             break
     c = shifted(c, where)
-    return mid + where, c, [mp.ldexp(c[0], -kind.digits - 13)/h**j for j in range(len(c))]
+    return mid + where, c, [mp.ldexp(c[0], -kind.digits - kind.spare)/h**j for j in range(len(c))]
 
 
 def error_bound(kind, row, centre, c, lo, hi, next_c):
@@ -180,20 +185,23 @@ def matrix(name, n, columns, parts):
 
 
 def split(kind, v):
+    """v whole, or in two parts whose first has its last digit on the grid"""
+    if kind.grid is None:
+        return [('', v)]
     hi = mp.ldexp(mp.nint(mp.ldexp(v, kind.grid)), -kind.grid)
-    return [literal(kind, hi), literal(kind, v - hi)]
+    return [('_hi', hi), ('_lo', v - hi)]
 
 
 def write(kind, folder):
     out = ['! Written by tools/make_complete_coefficients.py: do not edit.\n',
            f'   integer, parameter :: octaves_below = {BELOW}, octaves_above = {ABOVE}\n',
-           f'   integer, parameter :: segment_bits = {SEGMENTS.bit_length() - 1}\n',
+           f'   integer, parameter :: segment_bits = {kind.segments.bit_length() - 1}\n',
            f'   integer, parameter :: near_degree = {kind.near}\n']
     near, beyond = Interpolation(kind.near), Interpolation(kind.near + 1)
     rows = {f: [] for f in 'kebd'}
     for j in range(-BELOW, ABOVE):
-        for i in range(SEGMENTS):
-            lo, hi = [mp.ldexp(1 + mp.mpf(s)/SEGMENTS, j) for s in (i, i + 1)]
+        for i in range(kind.segments):
+            lo, hi = [mp.ldexp(1 + mp.mpf(s)/kind.segments, j) for s in (i, i + 1)]
             below = lo - (hi - lo)/32
             values = [integrals(x) for x in near.nodes(lo, hi)]
             values_below = [integrals(x) for x in beyond.nodes(below, lo)]
@@ -204,15 +212,18 @@ def write(kind, folder):
                 rows[f].append([literal(kind, centre)]
                                + [literal(kind, a, None if n < 2 else e)
                                   for n, (a, e) in enumerate(zip(c, enough))])
-                assert error_bound(kind, rows[f][-1], centre, c, lo, hi, next_c) < ULPS
+                assert error_bound(kind, rows[f][-1], centre, c, lo, hi, next_c) < kind.ulps
     for f in 'kebd':
-        out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 8 if kind.digits > 24 else 4))
+        out.append(matrix(f'near_{f}', kind.near + 2, rows[f], 8))
     far = Interpolation(kind.far)
     lo, hi = mp.mpf(0), mp.ldexp(1, -ABOVE)
-    values = [smooth(x) for x in far.nodes(lo, hi)]
+    smooths = [smooth(x) for x in far.nodes(lo, hi)]
     for f in 'kebd':
         for which, name in enumerate(('s', 't')):
-            c = shifted(far.coefficients(lo, hi, [v[which][f] for v in values]), -hi/2)
+            values = [v[which][f] for v in smooths]
+            if kind.grid is None and f in FIRST:
+                values = [FIRST[f][which] + x*v for x, v in zip(far.nodes(lo, hi), values)]
+            c = shifted(far.coefficients(lo, hi, values), -hi/2)
             out.append(vector(f'far_{f}_{name}', 0, [literal(kind, a) for a in c]))
     series = Interpolation(kind.log)
     h = (mp.sqrt(2) - 1)**4*(1 + mp.ldexp(1, -20))
@@ -229,9 +240,8 @@ def write(kind, folder):
                f'half_pi_lo = {literal(kind, mp.pi/2 - hi)}\n')
     out.append(f'   real(wp), parameter :: root_half = {literal(kind, mp.sqrt(0.5))}\n')
     for name, v in (('ln4', mp.log(4)), ('half_ln2', mp.log(2)/2)):
-        hi, lo = split(kind, v)
-        out.append(f'   real(wp), parameter :: {name}_hi = {hi}\n'
-                   f'   real(wp), parameter :: {name}_lo = {lo}\n')
+        for part, u in split(kind, v):
+            out.append(f'   real(wp), parameter :: {name}{part} = {literal(kind, u)}\n')
     with open(f'{folder}/furiko_complete_coefficients_{kind.name}.inc', 'w') as file:
         file.write(''.join(out))
 

@@ -278,16 +278,18 @@ def run(command, folder):
 SUITE = re.compile(r"new_testsuite\('([\w-]+)', *collect_(\w+)\)")
 # What of a path says which suites see it first
 TOPICS = [
-    ("catalogue", ["cli"]), ("cli_period|cli_pendulum|cli_motion|cli_rk4|cli_sheet|cli_quantity", ["pendulum-cli"]),
+    ("catalogue", ["catalogue", "eval"]), ("cli_number|cli_reading|cli_writing|cli_exact", ["number", "eval"]),
+    ("cli_eval|cli_rows|cli_fields|cli_input|cli_answers|cli_request|cli_header", ["eval"]),
+    ("cli_period|cli_pendulum|cli_motion|cli_rk4|cli_sheet|cli_quantity", ["pendulum-cli"]),
     ("cli_animate", ["animate"]), ("plot|gnuplot|figure", ["plot"]), ("cli_classics|cli_digits", ["notes"]),
     ("cli_table|cli_decimal", ["table", "cli"]), ("app/", ["cli", "pendulum-cli"]),
     ("complete|agm\\.|duplication", ["complete"]), ("double_word|word_arith|long", ["double-word", "table", "notes"]),
     ("integrals|half_pi|arctan", ["incomplete", "edges", "complete"]),
     ("period|motion", ["motion", "pendulum-cli"]), ("nome|theta|zeta|parameters", ["nome", "jacobi"]),
-    ("inverse", ["jacobi", "motion"]), ("functions", ["jacobi", "accuracy", "motion"]), ("classics", ["classics"]),
+    ("second_inverse", ["second-inverse"]), ("inverse", ["jacobi", "motion"]), ("functions", ["jacobi", "accuracy", "motion"]), ("classics", ["classics"]),
     ("integrators", ["integrators"]), ("selftest", ["known-values"]), ("arithmetic", ["incomplete", "jacobi"]),
 ]
-OF_PROGRAM = ["cli", "pendulum-cli", "plot", "notes", "animate", "table"]
+OF_PROGRAM = ["cli", "eval", "pendulum-cli", "plot", "notes", "animate", "table"]
 
 
 RUNNING = set()

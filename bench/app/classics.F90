@@ -2,7 +2,7 @@
 
 #ifdef __GFC_REAL_16__
 !> Appendix C of the first note asks which is faster, AGM or trapezoid. K at k = 1/2 to 1e-15 and to
-!> 1e-30: interleaved repeats, the least of each, in ns a value. Prints rows of a Markdown table.
+!> 1e-30: interleaved repeats, the least of each, in ns a value. Prints a Markdown table.
 program classics
    use, intrinsic :: iso_fortran_env, only : dp => real64, qp => real128
    use bench_classics_dp, only : try_classics
@@ -32,6 +32,7 @@ program classics
          least(i, 2) = min(least(i, 2), time)
       end do
    end do
+   print '(a)', '| to | by | error | ns |', '|---|---|---|---|'
    do j = 1, 2
       do i = 1, ways
          print '(5a, es8.1, a, f9.1, a)', '| ', goals(j), ' | ', names(i, j), ' | ', errors(i, j), ' | ', &

@@ -1,242 +1,229 @@
 ! SPDX-License-Identifier: MIT
 
-!> furiko beside GSL and Boost in one run: interleaved repeats, medians, in ns a value. Prints rows
-!> of a Markdown table; `bench/run` makes doc/speed.md of them.
+!> furiko beside GSL, Boost and SciPy in one run, function by function and regime by regime of the
+!> arguments: one call at a time (throughput, and latency: the first argument waits for the last result)
+!> and arrays. Interleaved repeats, the least of each chunk of points, in ns a call. Prints a Markdown
+!> table; `bench/run` makes doc/speed.md of it.
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
-   ! allow(C121)
-   use bench_peers
-   use bench_table, only : cell, median
-   ! allow(C121)
-   use furiko
+   use bench_calls, only : arrays_of, boost, call_of, can, carlson, classes, gsl, jacobi, legendre, names, &
+      scipy, us
+   use bench_peers, only : has_boost, has_scipy
+   use bench_table, only : cell, ratio_cell
    implicit none
-   integer, parameter :: points = 10000
-   integer, parameter :: repeats = 15
-   integer, parameter :: us = 1, us_scalar = 2, gsl = 3, boost = 4
-   character(len=*), parameter :: names(*) = [character(len=14) :: 'K(m)', 'E(m)', 'K and E', &
-      'D(m)', 'Pi(n, m)', 'F(phi, m)', 'E(phi, m)', 'D(phi, m)', 'Pi(n, phi, m)', 'RF(x, y, z)', &
-      'RD(x, y, z)', 'RJ(x, y, z, p)']
-   real(wp), dimension(points) :: m, k, n, phi, x, y, z, p
-   real(wp) :: values(points, 4), other(points)
-   real(wp) :: times(repeats, 4)
-   logical :: there(4)
-   integer :: i, peer, repeat
+   integer, parameter :: chunk = 512, points = 16*chunk, repeats = 15
+   !> How the library is called: its arrays, then it and its peers one call at a time
+   integer, parameter :: arrays = 0
+   real(wp), parameter :: half_pi = acos(-1.0_wp)/2
+   character(len=*), parameter :: places(6, 4) = reshape([character(len=29) :: &
+      'm uniform', '1 - m from 1e-12 to 0.1', 'm from -1 to 0', '', '', '', &
+      'phi to pi/2, m uniform', 'phi < 0.7', 'phi to 30', '1 - m from 1e-12 to 0.1', &
+      'next to the separatrix', 'm from -1 to 0', &
+      'uniform', 'from 1e-6 to 1e6', '', '', '', '', &
+      'u to 6, m uniform', 'u < 1', 'u < 100', 'u from 1e3 to 1e6', '1 - m from 1e-12 to 0.1', &
+      'm from -1 to 0'], [6, 4])
+   real(wp) :: r(points, 4)
+   !> Arguments of furiko and SciPy, of GSL and Boost, which take k
+   real(wp), target :: by_m(4, points), by_k(4, points)
+   real(wp) :: throughput(arrays:scipy), latency(us:scipy), sums(arrays:scipy), wait
+   logical :: there(arrays:scipy), installed(us:scipy)
+   integer :: place, which, who, class
 
-   there = .true.
-   there(boost) = has_boost()
-   call random_points()
-   do i = 1, size(names)
-      do repeat = 1, repeats
-         do peer = us, boost
-            times(repeat, peer) = time_of(i, peer, values(:, peer))
+   installed = [.true., .true., has_boost(), has_scipy()]
+   call random_number(r)
+   wait = 0
+   call print_header()
+   do which = 1, size(names)
+      class = classes(which)
+      do place = 1, count(places(:, class) /= '')
+         call set_points(classes(which), place)
+         if (.not. can(which, us, by_m(2, :))) cycle
+         there(arrays) = .true.
+         do who = us, scipy
+            there(who) = installed(who) .and. can(which, who, by_m(2, :))
          end do
+         call measure(which)
+         call check_sums(which, place)
+         call print_row(which, place)
       end do
-      call check_values(i)
-      print '(15a)', '| ', names(i), (' | ', cell(median(times(:, peer)), there(peer)), peer=us, boost), &
-         (' | ', cell(median(times(:, peer)/times(:, us)), there(peer)), peer=gsl, boost), ' |'
    end do
 
 
 contains
 
 
-   subroutine random_points()
-      call random_number(m)
-      k = sqrt(m)
-      call random_number(n)
-      n = 0.99_wp*n
-      call random_number(phi)
-      phi = phi*acos(-1.0_wp)/2
-      call random_number(x)
-      call random_number(y)
-      call random_number(z)
-      call random_number(p)
-   end subroutine random_points
+   subroutine print_header()
+      character(len=*), parameter :: peers(us:scipy) = [character(len=6) :: 'furiko', 'GSL', 'Boost', 'SciPy']
+      integer :: who
+
+      write(*, '(a)', advance='no') '| function | arguments | furiko, array |'
+      do who = us, scipy
+         if (installed(who)) write(*, '(4a)', advance='no') ' ', trim(peers(who)), ' | waits |'
+      end do
+      print '(a)', ' fastest peer / array | / furiko | waits: / furiko |'
+      print '(a)', '|---|---'//repeat('|---', 4 + 2*count(installed))//'|'
+   end subroutine print_header
 
 
-   !> ns a value of one pass over the points
-   function time_of(case, peer, value) result(time)
-      integer, intent(in) :: case
-      integer, intent(in) :: peer
-      real(wp), intent(out) :: value(:)
-      real(wp) :: time
+   subroutine print_row(which, place)
+      integer, intent(in) :: which, place
+      real(wp) :: fastest, first
+      integer :: who
+
+      write(*, '(7a)', advance='no') '| ', names(which), ' | ', places(place, classes(which)), ' | ', &
+         cell(throughput(arrays), there(arrays)), ' |'
+      do who = us, scipy
+         if (installed(who)) write(*, '(4a)', advance='no') cell(throughput(who), there(who)), ' |', &
+            cell(latency(who), there(who)), ' |'
+      end do
+      fastest = minval(throughput(gsl:), there(gsl:))
+      first = minval(latency(gsl:), there(gsl:))
+      print '(6a)', ratio_cell(fastest/throughput(arrays), any(there(gsl:))), ' |', &
+         ratio_cell(fastest/throughput(us), any(there(gsl:))), ' |', &
+         ratio_cell(first/latency(us), any(there(gsl:))), ' |'
+   end subroutine print_row
+
+
+   !> The arguments of a class of functions in one of its regimes
+   subroutine set_points(class, place)
+      integer, intent(in) :: class, place
+      real(wp) :: m(points)
+
+      m = r(:, 2)
+      select case (places(place, class))
+      case ('1 - m from 1e-12 to 0.1', 'next to the separatrix')
+         m = 1 - 10.0_wp**(-1 - 11*r(:, 2))
+      case ('m from -1 to 0')
+         m = -r(:, 2)
+      case default
+         ! uniform
+      end select
+      by_m = transpose(reshape([first_of(class, place), m, 0.9_wp*r(:, 3), r(:, 4)], [points, 4]))
+      if (class == carlson) then
+         by_m = transpose(r)
+         if (place == 2) by_m = 10.0_wp**(12*by_m - 6)
+      end if
+      by_k = by_m
+      if (class /= carlson) by_k(2, :) = sqrt(max(m, 0.0_wp))
+   end subroutine set_points
+
+
+   !> phi or u
+   function first_of(class, place) result(x)
+      integer, intent(in) :: class, place
+      real(wp) :: x(points)
+
+      x = merge(half_pi, 6.0_wp, class == legendre)*r(:, 1)
+      if (place == 2) x = merge(0.7_wp, 1.0_wp, class == legendre)*r(:, 1)
+      if (place == 3) x = merge(30, 100, class == legendre)*r(:, 1)
+      if (place == 4 .and. class == jacobi) x = 10.0_wp**(3 + 3*r(:, 1))
+      if (place == 5 .and. class == legendre) x = half_pi - 10.0_wp**(-1 - 7*r(:, 1))
+   end function first_of
+
+
+   !> Least times of each chunk, in all ns a call, and the sums of the values
+   subroutine measure(which)
+      integer, intent(in) :: which
+      real(wp) :: times(points/chunk, arrays:scipy), waits(points/chunk, us:scipy), value
+      integer :: j, repeat, who
+
+      times = huge(times)
+      waits = huge(waits)
+      do repeat = 1, repeats
+         sums = 0
+         do j = 1, size(times, 1)
+            do who = arrays, scipy
+               if (.not. there(who)) cycle
+               call time_chunk(which, who, j, times(j, who), value)
+               sums(who) = sums(who) + value
+               if (who /= arrays) call time_chain(which, who, j, waits(j, who))
+            end do
+         end do
+      end do
+      throughput = sum(times, 1)/points
+      latency = sum(waits, 1)/points
+   end subroutine measure
+
+
+   !> Calls that do not wait for each other
+   subroutine time_chunk(which, who, j, least, total)
+      integer, intent(in) :: which, who, j
+      real(wp), intent(inout) :: least
+      real(wp), intent(out) :: total
+      real(wp), pointer :: x(:, :)
+      real(wp) :: columns(chunk, 4), values(chunk)
       integer(int64) :: start, finish, rate
+      integer :: i
 
+      x => arguments_of(which, who, j)
+      total = 0
+      if (who == arrays) columns = transpose(x)
       call system_clock(start, rate)
-      select case (peer)
-      case (us)
-         call batch(case, value)
-      case (us_scalar)
-         call scalars(case, value)
-      case (gsl)
-         call gsl_values(case, value)
-      case default
-         call boost_values(case, value)
-      end select
+      if (who == arrays) then
+         call arrays_of(which, columns(:, 1), columns(:, 2), columns(:, 3), columns(:, 4), values)
+      else
+         do i = 1, chunk
+            total = total + call_of(which, who, x(1, i), x(2, i), x(3, i), x(4, i))
+         end do
+      end if
       call system_clock(finish)
-      time = real(finish - start, wp)/real(rate, wp)*1.0e9_wp/points
-   end function time_of
+      if (who == arrays) total = sum(values)
+      least = min(least, real(finish - start, wp)/real(rate, wp)*1.0e9_wp)
+   end subroutine time_chunk
 
 
-   subroutine batch(case, value)
-      integer, intent(in) :: case
-      real(wp), intent(out) :: value(:)
+   !> Calls whose arguments wait for the last result, of which they take 0 times (a multiplication and a
+   !> sum, 2 ns, are in the time)
+   subroutine time_chain(which, who, j, least)
+      integer, intent(in) :: which, who, j
+      real(wp), intent(inout) :: least
+      real(wp), pointer :: x(:, :)
+      real(wp) :: last, delay
+      integer(int64) :: start, finish, rate
+      integer :: i
 
-      select case (case)
-      case (1)
-         value = ellipk_m(m)
-      case (2)
-         value = ellipe_m(m)
-      case (3)
-         call ellipke_m(m, value, other)
-      case (4)
-         value = ellipd_m(m)
-      case (5)
-         value = ellippi_m(n, m)
-      case (6)
-         value = ellipf_m(phi, m)
-      case (7)
-         value = ellipeinc_m(phi, m)
-      case (8)
-         value = ellipdinc_m(phi, m)
-      case (9)
-         value = ellippiinc_m(n, phi, m)
-      case (10)
-         value = carlson_rf(x, y, z)
-      case (11)
-         value = carlson_rd(x, y, z)
-      case default
-         value = carlson_rj(x, y, z, p)
-      end select
-   end subroutine batch
-
-
-   subroutine scalars(case, value)
-      integer, intent(in) :: case
-      real(wp), intent(out) :: value(:)
-      integer :: j
-
-      do j = 1, points
-         select case (case)
-         case (1)
-            value(j) = ellipk_m(m(j))
-         case (2)
-            value(j) = ellipe_m(m(j))
-         case (3)
-            call ellipke_m(m(j), value(j), other(j))
-         case (4)
-            value(j) = ellipd_m(m(j))
-         case (5)
-            value(j) = ellippi_m(n(j), m(j))
-         case (6)
-            value(j) = ellipf_m(phi(j), m(j))
-         case (7)
-            value(j) = ellipeinc_m(phi(j), m(j))
-         case (8)
-            value(j) = ellipdinc_m(phi(j), m(j))
-         case (9)
-            value(j) = ellippiinc_m(n(j), phi(j), m(j))
-         case (10)
-            value(j) = carlson_rf(x(j), y(j), z(j))
-         case (11)
-            value(j) = carlson_rd(x(j), y(j), z(j))
-         case default
-            value(j) = carlson_rj(x(j), y(j), z(j), p(j))
-         end select
+      x => arguments_of(which, who, j)
+      last = 0
+      call system_clock(start, rate)
+      do i = 1, chunk
+         delay = wait*last
+         last = call_of(which, who, x(1, i) + delay, x(2, i) + delay, x(3, i), x(4, i))
       end do
-   end subroutine scalars
+      call system_clock(finish)
+      ! What came of it is looked at, and so computed
+      if (last /= last) error stop 'bench: not a number'
+      least = min(least, real(finish - start, wp)/real(rate, wp)*1.0e9_wp)
+   end subroutine time_chain
 
 
-   subroutine gsl_values(case, value)
-      integer, intent(in) :: case
-      real(wp), intent(out) :: value(:)
-      integer :: j
+   !> GSL and Boost take k, but for GSL's sn, cn, dn
+   function arguments_of(which, who, j) result(x)
+      integer, intent(in) :: which, who, j
+      real(wp), pointer :: x(:, :)
 
-      do j = 1, points
-         select case (case)
-         case (1)
-            value(j) = gsl_k(k(j), 0)
-         case (2)
-            value(j) = gsl_e(k(j), 0)
-         case (3)
-            value(j) = gsl_k(k(j), 0)
-            other(j) = gsl_e(k(j), 0)
-         case (4)
-            value(j) = gsl_d(k(j), 0)
-         case (5)
-            value(j) = gsl_pi(k(j), -n(j), 0)
-         case (6)
-            value(j) = gsl_f(phi(j), k(j), 0)
-         case (7)
-            value(j) = gsl_einc(phi(j), k(j), 0)
-         case (8)
-            value(j) = gsl_dinc(phi(j), k(j), 0)
-         case (9)
-            value(j) = gsl_piinc(phi(j), k(j), -n(j), 0)
-         case (10)
-            value(j) = gsl_rf(x(j), y(j), z(j), 0)
-         case (11)
-            value(j) = gsl_rd(x(j), y(j), z(j), 0)
-         case default
-            value(j) = gsl_rj(x(j), y(j), z(j), p(j), 0)
-         end select
+      if (who == boost .or. (who == gsl .and. classes(which) /= jacobi)) then
+         x => by_k(:, (j - 1)*chunk + 1:j*chunk)
+      else
+         x => by_m(:, (j - 1)*chunk + 1:j*chunk)
+      end if
+   end function arguments_of
+
+
+   !> All must have computed the same, as far as the peers allow: k = sqrt(m) has few digits of 1 - m
+   subroutine check_sums(which, place)
+      integer, intent(in) :: which, place
+      real(wp) :: allowed
+      integer :: who
+
+      do who = arrays, scipy
+         if (.not. there(who)) cycle
+         allowed = 1.0e-6_wp
+         if ((who == gsl .or. who == boost) .and. minval(1 - by_m(2, :)) < 1.0e-9_wp) allowed = 1.0e-3_wp
+         if (abs(sums(who) - sums(us)) <= allowed*abs(sums(us))) cycle
+         write(error_unit, '(4a, i0)') 'bench: other values in ', trim(names(which)), ', ', &
+            trim(places(place, classes(which)))//', by ', who
+         error stop 1
       end do
-   end subroutine gsl_values
-
-
-   subroutine boost_values(case, value)
-      integer, intent(in) :: case
-      real(wp), intent(out) :: value(:)
-      integer :: j
-
-      do j = 1, points
-         select case (case)
-         case (1)
-            value(j) = boost_k(k(j))
-         case (2)
-            value(j) = boost_e(k(j))
-         case (3)
-            value(j) = boost_k(k(j))
-            other(j) = boost_e(k(j))
-         case (4)
-            value(j) = boost_d(k(j))
-         case (5)
-            value(j) = boost_pi(k(j), n(j))
-         case (6)
-            value(j) = boost_f(phi(j), k(j))
-         case (7)
-            value(j) = boost_einc(phi(j), k(j))
-         case (8)
-            value(j) = boost_dinc(phi(j), k(j))
-         case (9)
-            value(j) = boost_piinc(phi(j), k(j), n(j))
-         case (10)
-            value(j) = boost_rf(x(j), y(j), z(j))
-         case (11)
-            value(j) = boost_rd(x(j), y(j), z(j))
-         case default
-            value(j) = boost_rj(x(j), y(j), z(j), p(j))
-         end select
-      end do
-   end subroutine boost_values
-
-
-   !> All must have computed the same, as far as GSL's and Boost's k = sqrt(m) allows: 1e-9, and
-   !> nowhere next to m = 1.
-   subroutine check_values(case)
-      integer, intent(in) :: case
-      integer :: peer
-      logical :: same(points)
-
-      do peer = us_scalar, boost
-         if (.not. there(peer)) cycle
-         same = abs(values(:, peer)/values(:, us) - 1) < 1.0e-9_wp .or. m > 0.9999_wp
-         if (.not. all(same)) then
-            write(error_unit, '(3a, i0)') 'bench: ', trim(names(case)), &
-               ' differs from the peer number ', peer
-            error stop 1
-         end if
-      end do
-   end subroutine check_values
+   end subroutine check_sums
 
 end program main

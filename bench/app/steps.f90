@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
 !> Runge-Kutta steps of the pendulum beside GSL's in one run: interleaved repeats, the least of each,
-!> in ns a step. Prints rows of a Markdown table.
+!> in ns a step. Prints a Markdown table.
 program steps
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
    use bench_odeiv2, only : gsl_driver, gsl_steps
@@ -26,6 +26,7 @@ program steps
       end do
    end do
    call check_values()
+   print '(a)', '| | ns | GSL driver / this | GSL step / this |', '|---|---|---|---|'
    do i = 1, size(names)
       print '(3a, 3(f8.1, a))', '| ', names(i), ' | ', times(i), ' | ', times(driver)/times(i), ' | ', &
          times(bare)/times(i), ' |'

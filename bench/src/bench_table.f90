@@ -5,7 +5,7 @@ module bench_table
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
    private
-   public :: cell, median
+   public :: cell, median, ratio_cell
 
 
 contains
@@ -20,6 +20,19 @@ contains
       write(cell, '(f8.1)') number
       if (.not. there) cell = '       -'
    end function cell
+
+
+   !> How many times as fast; in bold where it is slower
+   pure function ratio_cell(ratio, there) result(text)
+      real(wp), intent(in) :: ratio
+      logical, intent(in) :: there
+      character(len=10) :: text
+
+      write(text, '(f9.2)') ratio
+      if (ratio < 1) write(text, '(a, f4.2, a)') '**', ratio, '**'
+      if (.not. there) text = '-'
+      text = adjustr(text)
+   end function ratio_cell
 
 
    pure function median(times)

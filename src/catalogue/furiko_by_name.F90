@@ -37,14 +37,14 @@ end module furiko_by_name_qp
 #endif
 
 
+! allow(C121)
 module furiko_by_name
-   use furiko_by_name_sp, only : evaluate
-   use furiko_by_name_dp, only : evaluate
+   use furiko_by_name_sp
+   use furiko_by_name_dp
 #ifdef FURIKO_REAL128
-   use furiko_by_name_qp, only : evaluate
+   use furiko_by_name_qp
 #endif
    implicit none
-   private
-   public :: evaluate
+   public
 end module furiko_by_name
-! rooms: 3693100378
+! rooms: 2563380415

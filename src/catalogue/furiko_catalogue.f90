@@ -53,6 +53,9 @@ module furiko_catalogue
       catalogue_entry('ellipeinc_k', 'phi k', 'E', 'incomplete, second kind'), &
       catalogue_entry('ellipeinc_m', 'phi m', 'E', 'incomplete, second kind'), &
       catalogue_entry('ellipeinc_mc', 'phi mc', 'E', 'incomplete, second kind'), &
+      catalogue_entry('ellipeinc_inverse_k', 's k', 'phi', 'inverse of ellipeinc'), &
+      catalogue_entry('ellipeinc_inverse_m', 's m', 'phi', 'inverse of ellipeinc'), &
+      catalogue_entry('ellipeinc_inverse_mc', 's mc', 'phi', 'inverse of ellipeinc'), &
       catalogue_entry('ellipdinc_k', 'phi k', 'D', 'incomplete, (F - E)/m'), &
       catalogue_entry('ellipdinc_m', 'phi m', 'D', 'incomplete, (F - E)/m'), &
       catalogue_entry('ellipdinc_mc', 'phi mc', 'D', 'incomplete, (F - E)/m'), &
@@ -173,7 +176,9 @@ module furiko_catalogue
       'period of a pendulum over that of its small swings'), &
       catalogue_entry('period_excess', 'amplitude', 'excess', 'T/T_h - 1'), &
       catalogue_entry('amplitude_of_period', 'ratio', 'theta_0', 'inverse of period_ratio'), &
-      catalogue_entry('amplitude_of_excess', 'excess', 'theta_0', 'inverse of period_excess')]
+      catalogue_entry('amplitude_of_excess', 'excess', 'theta_0', 'inverse of period_excess'), &
+      catalogue_entry('amplitude_three_terms', 'excess', 'theta_0', 'the same by three terms of a series'), &
+      catalogue_entry('ellipse_perimeter', 'a b', 'L', 'perimeter of an ellipse of these semiaxes')]
 
 
 contains

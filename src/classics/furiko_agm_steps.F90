@@ -37,14 +37,14 @@ end module furiko_agm_steps_qp
 
 
 !> The arithmetic-geometric mean step by step, on its way to K and E.
+! allow(C121)
 module furiko_agm_steps
-   use furiko_agm_steps_sp, only : agm_steps_k, agm_steps_m, agm_steps_mc
-   use furiko_agm_steps_dp, only : agm_steps_k, agm_steps_m, agm_steps_mc
+   use furiko_agm_steps_sp
+   use furiko_agm_steps_dp
 #ifdef FURIKO_REAL128
-   use furiko_agm_steps_qp, only : agm_steps_k, agm_steps_m, agm_steps_mc
+   use furiko_agm_steps_qp
 #endif
    implicit none
-   private
-   public :: agm_steps_k, agm_steps_m, agm_steps_mc
+   public
 end module furiko_agm_steps
 ! rooms: 3923648874

@@ -41,14 +41,14 @@ end module furiko_ellipse_qp
 
 
 !> The perimeter of an ellipse, in each kind of real.
+! allow(C121)
 module furiko_ellipse
-   use furiko_ellipse_sp, only : ellipse_perimeter, ellipse_perimeter_series
-   use furiko_ellipse_dp, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_ellipse_sp
+   use furiko_ellipse_dp
 #ifdef FURIKO_REAL128
-   use furiko_ellipse_qp, only : ellipse_perimeter, ellipse_perimeter_series
+   use furiko_ellipse_qp
 #endif
    implicit none
-   private
-   public :: ellipse_perimeter, ellipse_perimeter_series
+   public
 end module furiko_ellipse
 ! rooms: 861274326

@@ -37,22 +37,14 @@ end module furiko_series_qp
 
 
 !> The power series of K and E, to any number of terms, and the bound on what is left.
+! allow(C121)
 module furiko_series
-   use furiko_series_sp, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
-      ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
-      ellipe_remainder_m, period_ratio_series, amplitude_three_terms
-   use furiko_series_dp, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
-      ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
-      ellipe_remainder_m, period_ratio_series, amplitude_three_terms
+   use furiko_series_sp
+   use furiko_series_dp
 #ifdef FURIKO_REAL128
-   use furiko_series_qp, only : ellipk_series_k, ellipk_series_m, ellipk_remainder_k, &
-      ellipk_remainder_m, ellipe_series_k, ellipe_series_m, ellipe_remainder_k, &
-      ellipe_remainder_m, period_ratio_series, amplitude_three_terms
+   use furiko_series_qp
 #endif
    implicit none
-   private
-   public :: ellipk_series_k, ellipk_series_m, ellipk_remainder_k, ellipk_remainder_m, &
-      ellipe_series_k, ellipe_series_m, ellipe_remainder_k, ellipe_remainder_m, &
-      period_ratio_series, amplitude_three_terms
+   public
 end module furiko_series
-! rooms: 4073019637
+! rooms: 2012010186

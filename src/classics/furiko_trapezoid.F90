@@ -31,18 +31,14 @@ end module furiko_trapezoid_qp
 
 
 !> K and E by the trapezoidal rule, whose error falls geometrically for a periodic integrand.
+! allow(C121)
 module furiko_trapezoid
-   use furiko_trapezoid_sp, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
-      ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
-   use furiko_trapezoid_dp, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
-      ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
+   use furiko_trapezoid_sp
+   use furiko_trapezoid_dp
 #ifdef FURIKO_REAL128
-   use furiko_trapezoid_qp, only : ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, &
-      ellipe_trapezoid_k, ellipe_trapezoid_m, ellipe_trapezoid_mc
+   use furiko_trapezoid_qp
 #endif
    implicit none
-   private
-   public :: ellipk_trapezoid_k, ellipk_trapezoid_m, ellipk_trapezoid_mc, ellipe_trapezoid_k, &
-      ellipe_trapezoid_m, ellipe_trapezoid_mc
+   public
 end module furiko_trapezoid
 ! rooms: 1696140422

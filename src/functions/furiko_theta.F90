@@ -40,18 +40,14 @@ end module furiko_theta_qp
 
 
 !> Jacobi's theta functions of a real angle and their derivatives, in real32, real64 and real128
+! allow(C121)
 module furiko_theta
-   use furiko_theta_sp, only : theta1, theta2, theta3, theta4, &
-      theta1_prime, theta2_prime, theta3_prime, theta4_prime
-   use furiko_theta_dp, only : theta1, theta2, theta3, theta4, &
-      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+   use furiko_theta_sp
+   use furiko_theta_dp
 #ifdef FURIKO_REAL128
-   use furiko_theta_qp, only : theta1, theta2, theta3, theta4, &
-      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+   use furiko_theta_qp
 #endif
    implicit none
-   private
-   public :: theta1, theta2, theta3, theta4, &
-      theta1_prime, theta2_prime, theta3_prime, theta4_prime
+   public
 end module furiko_theta
 ! rooms: 417268919

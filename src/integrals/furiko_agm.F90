@@ -35,14 +35,14 @@ end module furiko_agm_qp
 #endif
 
 
+! allow(C121)
 module furiko_agm
-   use furiko_agm_sp, only : agm
-   use furiko_agm_dp, only : agm
+   use furiko_agm_sp
+   use furiko_agm_dp
 #ifdef FURIKO_REAL128
-   use furiko_agm_qp, only : agm
+   use furiko_agm_qp
 #endif
    implicit none
-   private
-   public :: agm
+   public
 end module furiko_agm
 ! rooms: 1332894262

@@ -2,27 +2,28 @@
 #include "../arithmetic/furiko_compiler.inc"
 
 module furiko_carlson_sp
-   use furiko_carlson_words_sp, only : rf, rc, rd, rj, rg, rg_batch
-   use furiko_carlson_plain_sp, only : rf_batch, rc_batch, rd_batch, rj_batch
+   use furiko_carlson_plain_sp, only : rf, rc, rd, rj, rg, &
+      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
    implicit none
    private
    include 'furiko_carlson.inc'
+   include 'furiko_carlson_batches.inc'
 end module furiko_carlson_sp
 
 
 module furiko_carlson_dp
-   use furiko_carlson_words_dp, only : rf, rc, rd, rj, rg, rg_batch
-   use furiko_carlson_plain_dp, only : rf_batch, rc_batch, rd_batch, rj_batch
+   use furiko_carlson_plain_dp, only : rf, rc, rd, rj, rg, &
+      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
    implicit none
    private
    include 'furiko_carlson.inc'
+   include 'furiko_carlson_batches.inc'
 end module furiko_carlson_dp
 
 
 #ifdef FURIKO_REAL128
 module furiko_carlson_qp
-   use furiko_carlson_words_qp, only : rf, rc, rd, rj, rg, &
-      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
+   use furiko_carlson_plain_qp, only : rf, rc, rd, rj, rg
    implicit none
    private
    include 'furiko_carlson.inc'
@@ -32,17 +33,16 @@ end module furiko_carlson_qp
 
 !> Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J, R_G for real arguments, in real32,
 !> real64 and real128.
-!> A rank-1 argument goes to a batch that the compiler vectorises; scalars and other ranks are
+!> A rank-1 argument of real32 or real64 goes to a batch that the compiler vectorises; all else is
 !> elemental.
+! allow(C121)
 module furiko_carlson
-   use furiko_carlson_sp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
-   use furiko_carlson_dp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
+   use furiko_carlson_sp
+   use furiko_carlson_dp
 #ifdef FURIKO_REAL128
-   use furiko_carlson_qp, only : carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
+   use furiko_carlson_qp
 #endif
    implicit none
-   private
-
-   public :: carlson_rf, carlson_rc, carlson_rd, carlson_rj, carlson_rg
+   public
 end module furiko_carlson
-! rooms: 918399127
+! rooms: 2411971299

@@ -42,4 +42,4 @@ module furiko_carlson_words_qp
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
-! rooms: 2777576408
+! rooms: 4125572187

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Coefficients of the real32 kernel
+!> Coefficients of the real32 kernel, which computes in real64
 module furiko_complete_coefficients_sp
-   use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    implicit none
    public
    include 'furiko_complete_coefficients_sp.inc'
@@ -21,29 +21,49 @@ module furiko_complete_coefficients_dp
 end module furiko_complete_coefficients_dp
 
 
-!> Complete elliptic integrals in real32
-module furiko_complete_sp
-   use furiko_bits_sp, only : infinity, nan
+!> The real32 kernel
+module furiko_complete_rounded
+   use, intrinsic :: iso_fortran_env, only : single => real32
+   use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_sp
+   use furiko_double_word, only : double_word, double_word_pi, operator(+), operator(-), operator(*), &
+      operator(/), sqrt
+   implicit none
+   private
+   public :: complement_of_k, complement_of_m, complement_of_alpha, k_at, e_at, b_at, d_at, evaluate
+   public :: integral_k, integral_e, integral_b, integral_d, of_k, of_m, of_mc, of_alpha
+   include 'furiko_complete_choices.inc'
+   include 'furiko_complete_rounded.inc'
+   include 'furiko_complete_near.inc'
+#include "../arithmetic/furiko_bits.inc"
+   include '../arithmetic/furiko_is_nan.inc'
+end module furiko_complete_rounded
+
+
+!> Complete elliptic integrals in real32
+module furiko_complete_sp
+   use, intrinsic :: iso_fortran_env, only : wp => real32, xp => real64
+   ! allow(C121)
+   use furiko_complete_rounded
    implicit none
    private
    include 'furiko_complete.inc'
-   include 'furiko_complete_segments.inc'
-#include "../arithmetic/furiko_bits.inc"
-   include '../arithmetic/furiko_is_nan.inc'
 end module furiko_complete_sp
 
 
 !> Complete elliptic integrals in real64
 module furiko_complete_dp
+   use, intrinsic :: iso_fortran_env, only : xp => real64
    use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_dp
    implicit none
    private
+   include 'furiko_complete_choices.inc'
    include 'furiko_complete.inc'
    include 'furiko_complete_segments.inc'
+   include 'furiko_complete_near.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_is_nan.inc'
 end module furiko_complete_dp
@@ -53,11 +73,16 @@ end module furiko_complete_dp
 !> Complete elliptic integrals in real128
 module furiko_complete_qp
    use furiko_bits_qp, only : infinity, is_nan, nan
-   use, intrinsic :: iso_fortran_env, only : wp => real128
+   use, intrinsic :: iso_fortran_env, only : wp => real128, xp => real128
    implicit none
    private
+   include 'furiko_complete_choices.inc'
+   ! Means that differ by this part have a limit of three terms
+   real(wp), parameter :: close = 4.0e-6_wp
+   ! The exponent of the means' ratio, at most 62, halves; then their common digits double
+   integer, parameter :: most_steps = 16
    include 'furiko_complete.inc'
-   include 'furiko_complete_series.inc'
+   include 'furiko_complete_agm.inc'
 end module furiko_complete_qp
 #endif
 
@@ -66,30 +91,14 @@ end module furiko_complete_qp
 !>
 !> The form of the argument is in the name: modulus `_k`, parameter `_m` = k^2, complementary
 !> parameter `_mc` = 1 - m, modular angle `_alpha` in radians, k = sin(alpha).
+! allow(C121)
 module furiko_complete
-   use furiko_complete_sp, only : ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, &
-      ellipe_k, ellipe_m, ellipe_mc, ellipe_alpha, &
-      ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
-      ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
-      ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
-   use furiko_complete_dp, only : ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, &
-      ellipe_k, ellipe_m, ellipe_mc, ellipe_alpha, &
-      ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
-      ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
-      ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
+   use furiko_complete_sp
+   use furiko_complete_dp
 #ifdef FURIKO_REAL128
-   use furiko_complete_qp, only : ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, &
-      ellipe_k, ellipe_m, ellipe_mc, ellipe_alpha, &
-      ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
-      ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
-      ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
+   use furiko_complete_qp
 #endif
    implicit none
-   private
-   public :: ellipk_k, ellipk_m, ellipk_mc, ellipk_alpha, &
-      ellipe_k, ellipe_m, ellipe_mc, ellipe_alpha, &
-      ellipb_k, ellipb_m, ellipb_mc, ellipb_alpha, &
-      ellipd_k, ellipd_m, ellipd_mc, ellipd_alpha, &
-      ellipke_k, ellipke_m, ellipke_mc, ellipke_alpha
+   public
 end module furiko_complete
-! rooms: 3746526603
+! rooms: 3771025194

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Carlson's duplication in words (hi + lo) for blocks of lanes: the one kernel behind the
-!> Carlson forms and the
-!> Legendre integrals. Internal; a block of one lane serves the scalar entries.
+!> Carlson's duplication in words (hi + lo) for blocks of lanes: behind what needs half an ulp (the pendulum,
+!> the inverses), and the arguments of Carlson's forms and the Legendre integrals that are out
+!> of the ordinary. Internal.
 module furiko_duplication_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    implicit none

@@ -36,4 +36,4 @@ module furiko_edges_qp
    include 'furiko_edges.inc'
 end module furiko_edges_qp
 #endif
-! rooms: 4105983911
+! rooms: 2611197686

@@ -24,7 +24,8 @@ end module furiko_incomplete_dp
 #ifdef FURIKO_REAL128
 module furiko_incomplete_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_legendre_qp, only : integral, first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_one_qp, only : integral
+   use furiko_legendre_qp, only : first, second, second_d, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_incomplete.inc'
@@ -34,27 +35,14 @@ end module furiko_incomplete_qp
 
 !> Legendre's incomplete integrals F, E and D for any real angle, in real32, real64 and real128.
 !> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.
+! allow(C121)
 module furiko_incomplete
-   use furiko_incomplete_sp, only : &
-      ellipf_k, ellipf_m, ellipf_mc, &
-      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
-      ellipdinc_k, ellipdinc_m, ellipdinc_mc
-   use furiko_incomplete_dp, only : &
-      ellipf_k, ellipf_m, ellipf_mc, &
-      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
-      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+   use furiko_incomplete_sp
+   use furiko_incomplete_dp
 #ifdef FURIKO_REAL128
-   use furiko_incomplete_qp, only : &
-      ellipf_k, ellipf_m, ellipf_mc, &
-      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
-      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+   use furiko_incomplete_qp
 #endif
    implicit none
-   private
-
-   public :: &
-      ellipf_k, ellipf_m, ellipf_mc, &
-      ellipeinc_k, ellipeinc_m, ellipeinc_mc, &
-      ellipdinc_k, ellipdinc_m, ellipdinc_mc
+   public
 end module furiko_incomplete
-! rooms: 3288252689
+! rooms: 3158376925

@@ -51,4 +51,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 919770613
+! rooms: 1897490429

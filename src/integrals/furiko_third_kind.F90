@@ -24,7 +24,8 @@ end module furiko_third_kind_dp
 #ifdef FURIKO_REAL128
 module furiko_third_kind_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_legendre_qp, only : integral, complete_third, third, by_k, by_m, by_mc
+   use furiko_legendre_one_qp, only : integral, complete_third => complete_third_of_one
+   use furiko_legendre_qp, only : third, by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_third_kind.inc'
@@ -34,23 +35,14 @@ end module furiko_third_kind_qp
 
 !> Elliptic integrals of the third kind, complete and incomplete, in real32, real64 and real128.
 !> Rank-1 arguments go to a batch of lanes; scalars and other ranks are elemental.
+! allow(C121)
 module furiko_third_kind
-   use furiko_third_kind_sp, only : &
-      ellippi_k, ellippi_m, ellippi_mc, &
-      ellippiinc_k, ellippiinc_m, ellippiinc_mc
-   use furiko_third_kind_dp, only : &
-      ellippi_k, ellippi_m, ellippi_mc, &
-      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+   use furiko_third_kind_sp
+   use furiko_third_kind_dp
 #ifdef FURIKO_REAL128
-   use furiko_third_kind_qp, only : &
-      ellippi_k, ellippi_m, ellippi_mc, &
-      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+   use furiko_third_kind_qp
 #endif
    implicit none
-   private
-
-   public :: &
-      ellippi_k, ellippi_m, ellippi_mc, &
-      ellippiinc_k, ellippiinc_m, ellippiinc_mc
+   public
 end module furiko_third_kind
-! rooms: 2382356554
+! rooms: 2289656278

@@ -53,14 +53,14 @@ end module furiko_pendulum_steps_qp
 
 
 !> Steps of the pendulum, one or many at once, in each kind of real.
+! allow(C121)
 module furiko_pendulum_steps
-   use furiko_pendulum_steps_sp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
-   use furiko_pendulum_steps_dp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+   use furiko_pendulum_steps_sp
+   use furiko_pendulum_steps_dp
 #ifdef FURIKO_REAL128
-   use furiko_pendulum_steps_qp, only : pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+   use furiko_pendulum_steps_qp
 #endif
    implicit none
-   private
-   public :: pendulum_rk4, pendulum_verlet, pendulum_forest_ruth
+   public
 end module furiko_pendulum_steps
 ! rooms: 1222206433

@@ -28,14 +28,14 @@ end module furiko_rk4_qp
 
 
 !> Classical Runge-Kutta steps for any system of equations, in each kind of real.
+! allow(C121)
 module furiko_rk4
-   use furiko_rk4_sp, only : rk4
-   use furiko_rk4_dp, only : rk4
+   use furiko_rk4_sp
+   use furiko_rk4_dp
 #ifdef FURIKO_REAL128
-   use furiko_rk4_qp, only : rk4
+   use furiko_rk4_qp
 #endif
    implicit none
-   private
-   public :: rk4
+   public
 end module furiko_rk4
 ! rooms: 291235467

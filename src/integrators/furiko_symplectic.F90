@@ -31,14 +31,14 @@ end module furiko_symplectic_qp
 
 
 !> Symplectic steps for any system x'' = a(x), in each kind of real.
+! allow(C121)
 module furiko_symplectic
-   use furiko_symplectic_sp, only : verlet, forest_ruth
-   use furiko_symplectic_dp, only : verlet, forest_ruth
+   use furiko_symplectic_sp
+   use furiko_symplectic_dp
 #ifdef FURIKO_REAL128
-   use furiko_symplectic_qp, only : verlet, forest_ruth
+   use furiko_symplectic_qp
 #endif
    implicit none
-   private
-   public :: verlet, forest_ruth
+   public
 end module furiko_symplectic
 ! rooms: 363501362

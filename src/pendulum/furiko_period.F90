@@ -8,11 +8,13 @@ module furiko_period_sp
    use furiko_duplication_sp, only : lanes
    use furiko_fold_sp, only : fold
    use furiko_nome_sp, only : nome_ratio
+   use furiko_parameter_of_k_sp, only : parameters_of_words
    use furiko_word_arithmetic_sp, only : words, value, sqrt, operator(+), operator(-), &
-      operator(*), operator(/)
+      operator(*), operator(/), pi_words
    implicit none
    private
    include 'furiko_period.inc'
+   include 'furiko_period_words.inc'
 end module furiko_period_sp
 
 
@@ -22,11 +24,13 @@ module furiko_period_dp
    use furiko_duplication_dp, only : lanes
    use furiko_fold_dp, only : fold
    use furiko_nome_dp, only : nome_ratio
+   use furiko_parameter_of_k_dp, only : parameters_of_words
    use furiko_word_arithmetic_dp, only : words, value, sqrt, operator(+), operator(-), &
-      operator(*), operator(/)
+      operator(*), operator(/), pi_words
    implicit none
    private
    include 'furiko_period.inc'
+   include 'furiko_period_words.inc'
 end module furiko_period_dp
 
 
@@ -34,26 +38,25 @@ end module furiko_period_dp
 module furiko_period_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : is_nan, nan
-   use furiko_duplication_qp, only : lanes
-   use furiko_fold_qp, only : fold
-   use furiko_nome_qp, only : nome_ratio
+   use furiko_parameter_of_k_qp, only : parameters_of_words
    use furiko_word_arithmetic_qp, only : words, value, sqrt, operator(+), operator(-), &
-      operator(*), operator(/)
+      operator(*), operator(/), pi_words
    implicit none
    private
    include 'furiko_period.inc'
+   include 'furiko_period_agm.inc'
 end module furiko_period_qp
 #endif
 
 
+! allow(C121)
 module furiko_period
-   use furiko_period_sp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
-   use furiko_period_dp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
+   use furiko_period_sp
+   use furiko_period_dp
 #ifdef FURIKO_REAL128
-   use furiko_period_qp, only : period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
+   use furiko_period_qp
 #endif
    implicit none
-   private
-   public :: period_ratio, period_excess, amplitude_of_period, amplitude_of_excess
+   public
 end module furiko_period
-! rooms: 2278116252
+! rooms: 237723953

@@ -16,9 +16,9 @@ HERE = pathlib.Path(__file__).parent
 mp.mp.dps = 60
 VALUES = [
     dict(a=1.5, b=0.4, k=0.6, m=0.3, mc=0.4, alpha=0.7, n=0.35, phi=0.9, u=0.8, q=0.1, kk=2.0, ratio=1.2,
-         amplitude=1.3, excess=0.25, z=0.55, x=0.45, y=1.7, p=0.85),
+         amplitude=1.3, excess=0.25, z=0.55, x=0.45, y=1.7, p=0.85, s=0.75),
     dict(a=0.3, b=2.2, k=0.8, m=-0.8, mc=1.6, alpha=1.1, n=-0.6, phi=1.2, u=1.1, q=0.3, kk=1.75, ratio=2.2,
-         amplitude=2.6, excess=1.5, z=-0.65, x=2.4, y=0.35, p=1.3),
+         amplitude=2.6, excess=1.5, z=-0.65, x=2.4, y=0.35, p=1.3, s=2.3),
 ]
 
 
@@ -43,6 +43,18 @@ def inverse(letters, x, m):
         else:
             high = mid
     return ellipf(low, m)
+
+
+def arc_inverse(s, m):
+    """By bisection, within half a turn"""
+    low, high = mp.mpf(0), mp.pi
+    for _ in range(190):
+        mid = (low + high)/2
+        if ellipe(mid, m) < s:
+            low = mid
+        else:
+            high = mid
+    return low
 
 
 def amplitude(u, m):
@@ -92,6 +104,7 @@ def of_m(family, x, m):
         "ellippi": lambda: [ellippi(*x, m)],
         "ellipf": lambda: [ellipf(*x, m)],
         "ellipeinc": lambda: [ellipe(*x, m)],
+        "ellipeinc_inverse": lambda: [arc_inverse(*x, m)],
         "ellipdinc": lambda: [(ellipf(*x, m) - ellipe(*x, m))/m],
         "ellippiinc": lambda: [ellippi(*x, m)],
         "jacobi": lambda: [mp.ellipfun(name, *x, m=m) for name in ("sn", "cn", "dn")],
@@ -124,6 +137,8 @@ def other(name, *x):
         "period_excess": lambda a: ellipk(mp.sin(a/2)**2)/half - 1,
         "amplitude_of_period": lambda ratio: 2*mp.asin(sqrt(parameter(half*ratio))),
         "amplitude_of_excess": lambda excess: 2*mp.asin(sqrt(parameter(half*(1 + excess)))),
+        "amplitude_three_terms": lambda excess: 2*mp.asin(sqrt((sqrt(4 + 36*excess) - 2)*4/9)),
+        "ellipse_perimeter": lambda a, b: 4*max(a, b)*ellipe(1 - (min(a, b)/max(a, b))**2),
     }[name](*x)
 
 
@@ -138,6 +153,8 @@ def row(name, symbols, values):
         values.update(z=abs(values["z"]))
     if "heuman" in name:  # 0 <= m <= 1
         values.update(m=abs(values["m"]), mc=values["mc"]/2)
+    if "three_terms" in name:  # excess <= 25/64
+        values.update(excess=values["excess"]/5)
     if "_arc" in name:
         m = m_of(form, values[form])
         values["x"] = round(float(quotient(family[-2:], 0.4 + values["k"]/2, m)), 3)

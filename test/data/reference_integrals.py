@@ -2,6 +2,7 @@
 """The integrals' references: functions on FLINT's balls, random arguments, the files' contents."""
 import random
 
+import flint
 import mpmath as mp
 from flint import acb, arb
 
@@ -81,6 +82,46 @@ def incomplete(form, phi, x):
         k, _, _, quarter_d = complete(form, x)
         f, d = f + 2 * j * k, d + 2 * j * quarter_d
     return [f, f - m * d, d]
+
+
+def middle(x):
+    """An exact number of the ball; 0 where there is none."""
+    return x.mid() if x.is_finite() else arb(0)
+
+
+def first_guess(rest, e, m, mc):
+    """psi in (0, pi/2) with E(psi) = rest: from the end where the integrand has its smallest value,
+    ends (x/2) sqrt(4 + n x^2) within a tenth."""
+    scale = mc.sqrt() if m < 0 else arb(1)
+    a = (rest if m < 0 else e - rest) / scale
+    least = 1 / mc if m < 0 else mc
+    x = a * (2 / (least + (least**2 + a * a).sqrt())).sqrt()
+    return x if m < 0 else arb.pi() / 2 - x
+
+
+def incomplete_inverse(form, s, x):
+    """phi with E(phi) = s: Newton's steps within a quarter period, then a proof by monotony."""
+    m, mc = m_and_mc(form, x)
+    if not mc > 0:
+        return [NAN]
+    e = complete(form, x)[1]
+    turns = (s / (2 * e) + 0.5).floor().unique_fmpz()
+    if turns is None:
+        return [NAN]
+    rest = s - 2 * int(turns) * e
+    psi = middle(first_guess(abs(rest), e, m, mc))
+    for _ in range(60):
+        _, value, _ = incomplete(form, psi, x)
+        change = middle((value - abs(rest)) / (psi.cos() ** 2 + mc * psi.sin() ** 2).sqrt())
+        psi = (psi - change).mid()
+        if abs(change) <= abs(psi) * arb(2) ** (20 - flint.ctx.prec):
+            break
+    phi = middle((psi if rest > 0 else -psi) + int(turns) * arb.pi())
+    error = abs(phi) * arb(2) ** (-3 * flint.ctx.prec // 4)
+    low, high = (phi - error).mid(), (phi + error).mid()
+    if not (incomplete(form, low, x)[1] < s and incomplete(form, high, x)[1] > s):
+        return [NAN]
+    return [low.union(high)]
 
 
 def third(n, s, c, mc):
@@ -265,6 +306,35 @@ def incomplete_arguments(dice, regime, form):
     return [dice.power(mp.mpf(dice.lowest) / 3 + 1, -4), modulus(dice, "towards-0", form)]
 
 
+def quarter_arc(form, x):
+    """E, as far as it makes arguments."""
+    mc = m_and_mc(form, x)[1]
+    return mp.sqrt(mc) * mp.ellipe(1 - 1 / mc) if mc > 1 else mp.ellipe(1 - mc)
+
+
+def incomplete_inverse_arguments(dice, regime, form):
+    if regime == "tiny":
+        draw = dice.pick(any_modulus, any_modulus if form == "k" else negative_modulus)
+        return [dice.sign() * dice.power(dice.lowest, -4), draw(dice, form)]
+    if regime == "subnormal":
+        return [dice.sign() * subnormal(dice), any_modulus(dice, form)]
+    if regime == "overflow":  # E = 1, and each period adds pi
+        return [dice.sign() * dice.power(1 - dice.lowest, 2 - dice.lowest), modulus(dice, "towards-1", form)]
+    if regime == "any-s":
+        return [dice.uniform(-50, 50), any_modulus(dice, form)]
+    if regime == "huge-s":
+        return [dice.sign() * dice.power(5, dice.pick(20, 50, -dice.lowest - 2)), any_modulus(dice, form)]
+    x = modulus(dice, {"multiples": dice.pick("uniform", "towards-1"), "negative-m": dice.pick(
+        "negative", "far-negative")}.get(regime, regime), form)
+    e = quarter_arc(form, rounded_to(dice.bits, x))
+    if regime == "multiples":
+        s = dice.sign() * dice.integer(1, 8) * e
+        return [dice.pick(s * dice.ulps(), s + dice.sign() * dice.power(-dice.bits, -10)), x]
+    low = mp.mpf(dice.lowest) / 2 if regime == "negative-m" else -dice.bits
+    part = dice.pick(dice.uniform(), 1 - dice.gap(), dice.power(low, -2) / e)
+    return [dice.sign() * dice.pick(part, part, 1 + part) * e, x]
+
+
 def principal_n(dice):
     return 1 + dice.pick(dice.gap(), dice.uniform(0, 3), dice.huge(33))
 
@@ -413,6 +483,9 @@ TOPICS = {
         "uniform": ALL, "multiples": ALL, "any-phi": ALL, "huge-phi": ALL,
         "negative-m": BOTH, "above-1": ALL, "tiny": ALL, "edge": ALL, "subnormal": ALL,
         "overflow": ALL}),
+    "incomplete_inverse": ("ellipeinc_inverse", incomplete_inverse, incomplete_inverse_arguments, {
+        "uniform": ALL, "towards-0": ALL, "towards-1": ALL, "multiples": ALL, "any-s": ALL, "huge-s": ALL,
+        "negative-m": BOTH, "tiny": ALL, "subnormal": ALL, "overflow": ALL}),
     "third_kind": ("ellippi", third_kind, third_kind_arguments, {
         "uniform": ALL, "negative-n": ALL, "towards-1": ALL,
         "principal": ALL, "near-m": ALL, "negative-m": BOTH, "spread": ALL, "subnormal": ALL}),
