@@ -89,6 +89,8 @@ program main
    integer, parameter :: skip = 77
    type(testsuite_type), allocatable :: suites(:)
    type(unittest_type), allocatable :: tests(:)
+   !> What failed, a line each: the end of a long log is what one sees
+   character(len=:), allocatable :: failures
    character(len=:), allocatable :: folder, suite, test
    integer :: failed, i, j, passed, skipped
 
@@ -160,6 +162,7 @@ program main
 
    passed = 0
    failed = 0
+   failures = ''
    skipped = 0
    do i = 1, size(suites)
       if (allocated(suite)) then
@@ -172,11 +175,12 @@ program main
             if (tests(j)%name /= test) cycle
          end if
          write(error_unit, '(3a, 2(i0, a))') '  Starting ', tests(j)%name, ' ... (', j, '/', size(tests), ')'
-         call run(tests(j))
+         call run(suites(i)%name, tests(j))
       end do
    end do
    if (passed + failed + skipped == 0) call refuse()
 
+   write(output_unit, '(a)', advance='no') failures
    write(output_unit, '(3(i0, a))') passed, ' passed, ', failed, ' failed, ', skipped, ' skipped'
    if (failed > 0) call fail()
 
@@ -185,7 +189,8 @@ contains
 
 
    !> Run a test, as test-drive's run_testsuite does, which does not tell how many were skipped.
-   subroutine run(test)
+   subroutine run(suite, test)
+      character(len=*), intent(in) :: suite
       type(unittest_type), intent(in) :: test
       type(error_type), allocatable :: error
       character(len=:), allocatable :: message, verdict
@@ -208,6 +213,7 @@ contains
          passed = passed + 1
       case default
          failed = failed + 1
+         failures = failures // suite // ' ' // test%name // ' [' // verdict // ']' // message // new_line('a')
       end select
       write(error_unit, '(6a)') '       ... ', test%name, ' [', verdict, ']', message
       flush(error_unit)
