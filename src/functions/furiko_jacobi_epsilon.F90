@@ -53,4 +53,4 @@ module furiko_jacobi_epsilon
    private
    public :: jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
 end module furiko_jacobi_epsilon
-! rooms: 2436395242
+! rooms: 1631811336
