@@ -47,4 +47,4 @@ module furiko_series
    implicit none
    public
 end module furiko_series
-! rooms: 2012010186
+! rooms: 58709413

@@ -51,4 +51,4 @@ module furiko_inverse_period
    implicit none
    public
 end module furiko_inverse_period
-! rooms: 833059923
+! rooms: 2698357562

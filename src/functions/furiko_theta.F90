@@ -50,4 +50,4 @@ module furiko_theta
    implicit none
    public
 end module furiko_theta
-! rooms: 417268919
+! rooms: 509455586

@@ -45,4 +45,4 @@ module furiko_agm
    implicit none
    public
 end module furiko_agm
-! rooms: 1332894262
+! rooms: 345378204

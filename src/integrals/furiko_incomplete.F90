@@ -45,4 +45,4 @@ module furiko_incomplete
    implicit none
    public
 end module furiko_incomplete
-! rooms: 2174582453
+! rooms: 1220229900

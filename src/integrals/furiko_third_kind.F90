@@ -45,4 +45,4 @@ module furiko_third_kind
    implicit none
    public
 end module furiko_third_kind
-! rooms: 1770090187
+! rooms: 2104066145
