@@ -213,7 +213,7 @@ contains
          passed = passed + 1
       case default
          failed = failed + 1
-         failures = failures // suite // ' ' // test%name // ' [' // verdict // ']' // message // new_line('a')
+         failures = failures // suite // ' ' // test%name // message // new_line('a')
       end select
       write(error_unit, '(6a)') '       ... ', test%name, ' [', verdict, ']', message
       flush(error_unit)

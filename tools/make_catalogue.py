@@ -119,8 +119,10 @@ def write_entries(found):
     yield "   !> Angles (phi, alpha, amplitude) are in radians; n is the third kind's characteristic, in DLMF's sign."
     yield "   type(catalogue_entry), parameter :: catalogue(*) = [ &"
     for number, (name, arguments, results, about) in enumerate(found, 1):
-        yield f"      catalogue_entry({quoted(name)}, {quoted(' '.join(arguments))}, {quoted(' '.join(results))}, &"
-        yield f"         {quoted(about)}){', &' if number < len(found) else ']'}"
+        entry = f"      catalogue_entry({quoted(name)}, {quoted(' '.join(arguments))}, {quoted(' '.join(results))}, "
+        rest = f"{quoted(about)}){', &' if number < len(found) else ']'}"
+        # Of 255 continued lines, which is the standard's limit, one each where it fits
+        yield entry + rest if len(entry + rest) <= 110 else f"{entry}&\n         {rest}"
 
 
 def write_cases(found):

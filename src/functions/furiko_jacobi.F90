@@ -58,42 +58,15 @@ end module furiko_jacobi_qp
 !>
 !> The form of the argument is in the name: modulus `_k`, parameter `_m` = k^2, complementary
 !> parameter `_mc` = 1 - m.
+! allow(C121)
 module furiko_jacobi
-   use furiko_jacobi_sp, only : &
-      jacobi_k, jacobi_m, jacobi_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc, jacobi_sn_k, &
-      jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, &
-      jacobi_dn_m, jacobi_dn_mc, jacobi_ns_k, jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, &
-      jacobi_nc_m, jacobi_nc_mc, jacobi_nd_k, jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, &
-      jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, &
-      jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
-      jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
-   use furiko_jacobi_dp, only : &
-      jacobi_k, jacobi_m, jacobi_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc, jacobi_sn_k, &
-      jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, &
-      jacobi_dn_m, jacobi_dn_mc, jacobi_ns_k, jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, &
-      jacobi_nc_m, jacobi_nc_mc, jacobi_nd_k, jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, &
-      jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, &
-      jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
-      jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
+   use furiko_jacobi_sp
+   use furiko_jacobi_dp
 #ifdef FURIKO_REAL128
-   use furiko_jacobi_qp, only : &
-      jacobi_k, jacobi_m, jacobi_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc, jacobi_sn_k, &
-      jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, &
-      jacobi_dn_m, jacobi_dn_mc, jacobi_ns_k, jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, &
-      jacobi_nc_m, jacobi_nc_mc, jacobi_nd_k, jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, &
-      jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, &
-      jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
-      jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
+   use furiko_jacobi_qp
 #endif
    implicit none
-   private
-   public :: &
-      jacobi_k, jacobi_m, jacobi_mc, jacobi_am_k, jacobi_am_m, jacobi_am_mc, jacobi_sn_k, &
-      jacobi_sn_m, jacobi_sn_mc, jacobi_cn_k, jacobi_cn_m, jacobi_cn_mc, jacobi_dn_k, &
-      jacobi_dn_m, jacobi_dn_mc, jacobi_ns_k, jacobi_ns_m, jacobi_ns_mc, jacobi_nc_k, &
-      jacobi_nc_m, jacobi_nc_mc, jacobi_nd_k, jacobi_nd_m, jacobi_nd_mc, jacobi_sc_k, &
-      jacobi_sc_m, jacobi_sc_mc, jacobi_cs_k, jacobi_cs_m, jacobi_cs_mc, jacobi_sd_k, &
-      jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
-      jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
+   public
+   private :: amplitude, evaluate, split_amplitude
 end module furiko_jacobi
 ! rooms: 3604142295

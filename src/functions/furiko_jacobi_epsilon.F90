@@ -43,14 +43,15 @@ end module furiko_jacobi_epsilon_qp
 #endif
 
 
+! allow(C121)
 module furiko_jacobi_epsilon
-   use furiko_jacobi_epsilon_sp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
-   use furiko_jacobi_epsilon_dp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
+   use furiko_jacobi_epsilon_sp
+   use furiko_jacobi_epsilon_dp
 #ifdef FURIKO_REAL128
-   use furiko_jacobi_epsilon_qp, only : jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
+   use furiko_jacobi_epsilon_qp
 #endif
    implicit none
-   private
-   public :: jacobi_epsilon_k, jacobi_epsilon_m, jacobi_epsilon_mc
+   public
+   private :: epsilon_of
 end module furiko_jacobi_epsilon
 ! rooms: 1631811336
