@@ -53,4 +53,4 @@ contains
    include 'furiko_rc_series_qp.inc'
 end module furiko_carlson_plain_qp
 #endif
-! rooms: 1468457560
+! rooms: 327003040

@@ -68,4 +68,4 @@ module furiko_legendre_one_qp
    include 'furiko_rc_series_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 3397721399
+! rooms: 861911783
