@@ -47,4 +47,4 @@ module furiko_series
    implicit none
    public
 end module furiko_series
-! rooms: 3297262208
+! rooms: 2394527448
