@@ -66,4 +66,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 3906883558
+! rooms: 1422766056

@@ -101,4 +101,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 830297314
+! rooms: 2465115892
