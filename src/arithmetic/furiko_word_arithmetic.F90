@@ -38,4 +38,4 @@ module furiko_word_arithmetic_qp
    include 'furiko_word_arithmetic.inc'
 end module furiko_word_arithmetic_qp
 #endif
-! rooms: 3053452875
+! rooms: 2095363260

@@ -66,4 +66,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 245206014
+! rooms: 1422766056

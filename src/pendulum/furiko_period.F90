@@ -59,4 +59,4 @@ module furiko_period
    implicit none
    public
 end module furiko_period
-! rooms: 1958499220
+! rooms: 2377462028
