@@ -39,8 +39,15 @@ def module_lines(name):
     raise SystemExit(f"make_catalogue: no module {name}")
 
 
+def specifics(name, lines):
+    """Of all interfaces of this name"""
+    rows = [row for number, line in enumerate(lines) if line == f"   interface {name}"
+            for row in lines[number + 1:lines.index(f"   end interface {name}", number)]]
+    return [specific.strip() for row in rows for specific in re.sub(r".*procedure *(:: *)?", "", row).split(",")]
+
+
 def generics(lines):
-    """Names of the interfaces with their docstrings and first specifics"""
+    """Names of the interfaces with their docstrings and specifics"""
     doc = []
     for number, line in enumerate(lines):
         words = line.split()
@@ -48,8 +55,7 @@ def generics(lines):
             doc.append(line.strip()[2:].strip())
             continue
         if words[:1] == ["interface"] and len(words) == 2 and doc:
-            specific = re.sub(r".*procedure *(:: *)?", "", lines[number + 1]).split(",")[0].strip()
-            yield words[1], " ".join(doc), specific
+            yield words[1], " ".join(doc), specifics(words[1], lines)
         doc = []
 
 
@@ -90,13 +96,26 @@ def signature(name, lines):
     return list(symbols["in"].values()), list(symbols["out"].values())
 
 
-def entries():
-    """Name, arguments, results, what it is"""
-    found = {}
+def takes_arrays(name, lines):
+    """Whether a specific is no elemental procedure, and of arrays only"""
+    for specific in specifics(name, lines):
+        body = specific_lines(specific, lines)
+        if not body or "elemental" in body[0]:
+            continue
+        dummies = PROCEDURE.match(body[0])[3].split(", ")
+        declared = "\n".join(body[1:2*len(dummies) + 4])
+        if all(re.search(rf"\b{dummy}\(:\)|dimension\(:\).*\b{dummy}\b", declared) for dummy in dummies):
+            return True
+    return False
+
+
+def topics():
+    """Of the modules that have some: name, arguments, results, what it is"""
+    found, by_module = {}, {}
     for module in re.findall(r"^   use (furiko_\w+)", (SRC / "furiko.F90").read_text(), re.M):
         lines = module_lines(module)
-        for name, doc, specific in generics(lines):
-            taken = signature(specific, lines)
+        for name, doc, procedures in generics(lines):
+            taken = signature(procedures[0], lines)
             if not taken:
                 continue
             arguments, results = taken
@@ -107,7 +126,13 @@ def entries():
             if form and form[2] != "k":
                 _, _, results, about = found[f"{form[1]}_k"]
             found[name] = name, arguments, results, about
-    return list(found.values())
+            by_module.setdefault(module, []).append(found[name])
+    return by_module
+
+
+def entries():
+    """Those of all modules"""
+    return [entry for found in topics().values() for entry in found]
 
 
 def quoted(text):

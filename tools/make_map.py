@@ -25,6 +25,7 @@ STOREYS = {"arithmetic": "pairs and triples of numbers, bits, sine and cosine of
            "selftest": "known values",
            "src": "what a program uses",
            "catalogue": "functions by name",
+           "c": "what a C program calls",
            "app": "the program"}
 USE = re.compile(r"^ *use (furiko\w*)", re.M)
 INCLUDE = re.compile(r"""^#? *include ['"](?:\.\./)?(\w+)/furiko_\w+\.inc""", re.M)

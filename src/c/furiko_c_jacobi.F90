@@ -1,0 +1,28 @@
+! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
+
+!> The Jacobi elliptic functions for C, in float; the text is in furiko_c_jacobi.inc.
+module furiko_c_jacobi_sp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
+   ! allow(C121)
+   use furiko_jacobi ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = 'f'
+   include 'furiko_c_jacobi.inc'
+end module furiko_c_jacobi_sp
+
+
+!> The Jacobi elliptic functions for C, in double; the text is in furiko_c_jacobi.inc.
+module furiko_c_jacobi_dp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
+   ! allow(C121)
+   use furiko_jacobi ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = ''
+   include 'furiko_c_jacobi.inc'
+end module furiko_c_jacobi_dp
+! rooms: 3260069984

@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The interface for C and C++, from the functions by name (make_catalogue.py) and tools/furiko.h.in:
+
+   python3 tools/make_c_interface.py [FOLDER]   writes include/furiko.h, include/furiko.hpp and src/c/furiko_c_*.inc,
+                                                or all of them into FOLDER; .ci/run compares
+
+A module of the facade that has functions by name has a room here, which needs a door of the same name beside it.
+"""
+import pathlib
+import re
+import sys
+
+import make_catalogue
+
+ROOT = make_catalogue.ROOT
+WRITTEN = "Written by tools/make_c_interface.py."
+# What the symbols of arguments mean, in words for the header
+MEANINGS = {
+    "k": "modulus, m = k^2",
+    "m": "parameter, m = k^2",
+    "mc": "complementary parameter 1 - m",
+    "alpha": "modular angle in radians, k = sin(alpha)",
+    "n": "characteristic, in DLMF's sign",
+    "phi": "angle in radians",
+    "u": "argument",
+    "q": "nome",
+    "big_k": "K, complete integral of the first kind",
+    "s": "E(phi), incomplete integral of the second kind",
+    "ratio": "T/T_h, period over that of small swings",
+    "excess": "T/T_h - 1",
+    "amplitude": "of the swing, in radians",
+}
+MEANINGS_OF = {
+    "agm": {"a": "first number", "b": "second number"},
+    "ellipse_perimeter": {"a": "semiaxis", "b": "semiaxis"},
+}
+# Symbols that are no names in C, or not to be told from an argument's in Fortran
+SYMBOLS = {"K": "big_k", "T/T_h": "ratio", "M": "mean", "Pi": "pi"}
+HEADINGS = {
+    "agm": "Arithmetic-geometric mean",
+    "complete": "Complete integrals K, E, B, D",
+    "incomplete": "Incomplete integrals F, E, D",
+    "third_kind": "The third kind",
+    "carlson": "Carlson's integrals",
+    "nome": "The nome",
+    "theta": "Theta functions",
+    "jacobi": "Jacobi elliptic functions",
+    "jacobi_epsilon": "Jacobi's epsilon",
+    "jacobi_inverse": "Inverses of Jacobi's functions",
+    "inverse_period": "Inverses of K and of the period",
+    "second_inverse": "The inverse of E(phi)",
+    "jacobi_zeta": "Jacobi's zeta, Heuman's lambda",
+    "period": "The pendulum's period",
+    "series": "The pendulum's period by its series",
+    "ellipse": "The ellipse",
+}
+
+
+def name_of(symbol):
+    """As a name in C and in Fortran"""
+    return re.sub(r"'", "_prime", SYMBOLS.get(symbol, symbol)).lower()
+
+
+def names_of(symbols):
+    return [name_of(symbol) for symbol in symbols]
+
+
+def meaning(name, argument):
+    return MEANINGS_OF.get(name, {}).get(argument) or MEANINGS.get(argument, "number")
+
+
+# The Fortran side
+
+def scalar_text(name, arguments, results):
+    label = f"bind(c, name='furiko_{name}' // suffix)"
+    given = ", ".join(arguments)
+    if len(results) == 1:
+        yield f"   pure function c_{name}({given}) result(f) &"
+        yield f"      {label}"
+        yield f"      real(wp), intent(in), value :: {given}"
+        yield from ("      real(wp) :: f", "", f"      f = {name}({given})", f"   end function c_{name}")
+    else:
+        out = ", ".join(results)
+        yield f"   pure subroutine c_{name}({given}, {out}) &"
+        yield f"      {label}"
+        yield f"      real(wp), intent(in), value :: {given}"
+        yield f"      real(wp), intent(out) :: {out}"
+        yield from ("", f"      call {name}({given}, {out})", f"   end subroutine c_{name}")
+
+
+def array_text(name, arguments, results, batches):
+    """One by one, or in batches, since kernels of arrays count by default integers"""
+    label = f"bind(c, name='furiko_{name}_v' // suffix)"
+    out = results if len(results) > 1 else ["f"]
+    given = ", ".join(arguments)
+    yield f"   pure subroutine c_{name}_v(count, {given}, {', '.join(out)}) &"
+    yield f"      {label}"
+    yield "      integer(c_size_t), intent(in), value :: count"
+    yield f"      real(wp), dimension(count), intent(in) :: {given}"
+    yield f"      real(wp), dimension(count), intent(out) :: {', '.join(out)}"
+    if batches:
+        at = "(first:last)"
+        yield from ("      integer(c_size_t) :: first, last", "")
+        yield from ("      do first = 1, count, most", "         last = min(first + most - 1, count)")
+    else:
+        at = "(i)"
+        yield from ("      integer(c_size_t) :: i", "", "      do i = 1, count")
+    given = ", ".join(argument + at for argument in arguments)
+    if len(results) == 1:
+        yield f"         f{at} = {name}({given})"
+    else:
+        yield f"         call {name}({given}, {', '.join(result + at for result in results)})"
+    yield from ("      end do", f"   end subroutine c_{name}_v")
+
+
+def write_room(entries, lines):
+    batched = {entry[0] for entry in entries if make_catalogue.takes_arrays(entry[0], lines)}
+    yield f"   ! {WRITTEN} Functions for C: one by one, and arrays."
+    if batched:
+        yield "   ! How many of an array are worked on at once"
+        yield "   integer(c_size_t), parameter :: most = 65536"
+    yield from ("", "", "contains")
+    for name, symbols, symbols_out, _ in entries:
+        arguments, results = names_of(symbols), names_of(symbols_out)
+        yield from ("", "", *scalar_text(name, arguments, results))
+        yield from ("", "", *array_text(name, arguments, results, name in batched))
+
+
+# The headers
+
+def prototypes(name, arguments, results):
+    """Of the four: double, float, arrays of both"""
+    for kind, letter in (("double", ""), ("float", "f")):
+        given = [f"{kind} {argument}" for argument in arguments]
+        if len(results) == 1:
+            yield f"{kind} furiko_{name}{letter}({', '.join(given)});"
+        else:
+            yield f"void furiko_{name}{letter}({', '.join(given + [f'{kind} *{result}' for result in results])});"
+    for kind, letter in (("double", ""), ("float", "f")):
+        given = [f"const {kind} {argument}[]" for argument in arguments]
+        out = [f"{kind} {result}[]" for result in results]
+        yield f"void furiko_{name}_v{letter}({', '.join(['size_t count', *given, *out])});"
+
+
+def folded(line):
+    """A prototype on lines of up to 110"""
+    if len(line) <= 110:
+        return [line]
+    cut = line.rindex(", ", 0, 110) + 1
+    return [line[:cut], *folded("        " + line[cut + 1:])]
+
+
+def write_functions(topics):
+    for topic, entries in topics.items():
+        yield from ("", f"/* ---- {HEADINGS[topic]} ---- */")
+        for name, symbols, results, about in entries:
+            arguments = names_of(symbols)
+            yield from ("", f"/** {about}.", " *")
+            yield from (f" * @param {argument} {meaning(name, argument)}" for argument in arguments)
+            yield " * @{ */"
+            for line in prototypes(name, arguments, names_of(results)):
+                yield from folded(line)
+            yield "/** @} */"
+
+
+def write_overloads(topics):
+    """Of furiko.hpp: one name for double and float, and for arrays"""
+    for topic, entries in topics.items():
+        yield from ("", f"/* ---- {HEADINGS[topic]} ---- */")
+        for name, symbols, symbols_out, about in entries:
+            arguments, results = names_of(symbols), names_of(symbols_out)
+            passed = ", ".join(arguments)
+            yield from ("", f"/** {about}. @{{ */")
+            for kind, letter in (("double", ""), ("float", "f")):
+                given = ", ".join(f"{kind} {argument}" for argument in arguments)
+                if len(results) == 1:
+                    yield f"inline {kind} {name}({given}) {{ return furiko_{name}{letter}({passed}); }}"
+                else:
+                    yield f"inline void {name}({given}, {', '.join(f'{kind} &{result}' for result in results)}) {{"
+                    yield f"    furiko_{name}{letter}({passed}, {', '.join('&' + result for result in results)});"
+                    yield "}"
+                given = ", ".join(f"const {kind} {argument}[]" for argument in arguments)
+                out = ", ".join(f"{kind} {result}[]" for result in results)
+                yield from folded(f"inline void {name}(std::size_t count, {given}, {out}) {{")
+                yield f"    furiko_{name}_v{letter}(count, {passed}, {', '.join(results)});"
+                yield "}"
+            yield "/** @} */"
+
+
+def filled(template, topics):
+    """A template of tools/ with the functions and the version in their places"""
+    version = re.search(r"furiko_version = '(\d+)\.(\d+)\.(\d+)'", (ROOT / "src/furiko.F90").read_text())
+    text = (ROOT / "tools" / template).read_text()
+    for mark, value in (("@WRITTEN@", WRITTEN), ("@MAJOR@", version[1]), ("@MINOR@", version[2]), ("@PATCH@", version[3]),
+                        ("@FUNCTIONS@", "\n".join(write_functions(topics)).strip()),
+                        ("@OVERLOADS@", "\n".join(write_overloads(topics)).strip())):
+        text = text.replace(mark, value)
+    return text
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    topics = {module.removeprefix("furiko_"): found for module, found in make_catalogue.topics().items()}
+    for topic, entries in topics.items():
+        room = f"furiko_c_{topic}"
+        if not (ROOT / "src/c" / f"{room}.F90").exists():
+            sys.exit(f"make_c_interface: no door src/c/{room}.F90")
+        ((folder or ROOT / "src/c") / f"{room}.inc").write_text("\n".join(write_room(entries, make_catalogue.module_lines(f"furiko_{topic}"))) + "\n")
+    for header in ("furiko.h", "furiko.hpp"):
+        ((folder or ROOT / "include") / header).write_text(filled(f"{header}.in", topics))
+
+
+if __name__ == "__main__":
+    main()
