@@ -119,7 +119,7 @@ def write_room(entries, lines):
     yield f"   ! {WRITTEN} Functions for C: one by one, and arrays."
     if batched:
         yield "   ! How many of an array are worked on at once"
-        yield "   integer(c_size_t), parameter :: most = 65536"
+        yield "   integer(c_size_t), parameter :: most = 4096"
     yield from ("", "", "contains")
     for name, symbols, symbols_out, _ in entries:
         arguments, results = names_of(symbols), names_of(symbols_out)

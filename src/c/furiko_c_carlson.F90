@@ -25,4 +25,4 @@ module furiko_c_carlson_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_carlson.inc'
 end module furiko_c_carlson_dp
-! rooms: 3731211945
+! rooms: 4162313546

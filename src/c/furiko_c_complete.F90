@@ -25,4 +25,4 @@ module furiko_c_complete_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_complete.inc'
 end module furiko_c_complete_dp
-! rooms: 3168277363
+! rooms: 1747902010

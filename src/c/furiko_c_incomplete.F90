@@ -25,4 +25,4 @@ module furiko_c_incomplete_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_incomplete.inc'
 end module furiko_c_incomplete_dp
-! rooms: 144538338
+! rooms: 2689302511

@@ -25,4 +25,4 @@ module furiko_c_jacobi_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_jacobi.inc'
 end module furiko_c_jacobi_dp
-! rooms: 3260069984
+! rooms: 1131657523

@@ -16,7 +16,7 @@ module furiko_c_modulus
    !> Says in one more that it was made; any bits would do
    integer(c_int64_t), parameter :: made = 7885350463184921939_c_int64_t
    ! How many of an array are worked on at once: the kernels count by default integers
-   integer(c_size_t), parameter :: most = 65536
+   integer(c_size_t), parameter :: most = 4096
 
 
    !> `furiko_modulus` in C

@@ -9,7 +9,7 @@ module furiko_c_pendulum_steps_sp
    private
    ! What C's names end in, and how many of an array are worked on at once
    character(len=*), parameter :: suffix = 'f'
-   integer(c_size_t), parameter :: most = 65536
+   integer(c_size_t), parameter :: most = 4096
    include 'furiko_c_pendulum_steps.inc'
 end module furiko_c_pendulum_steps_sp
 
@@ -22,7 +22,7 @@ module furiko_c_pendulum_steps_dp
    private
    ! What C's names end in, and how many of an array are worked on at once
    character(len=*), parameter :: suffix = ''
-   integer(c_size_t), parameter :: most = 65536
+   integer(c_size_t), parameter :: most = 4096
    include 'furiko_c_pendulum_steps.inc'
 end module furiko_c_pendulum_steps_dp
 ! rooms: 2437167693

@@ -25,4 +25,4 @@ module furiko_c_third_kind_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_third_kind.inc'
 end module furiko_c_third_kind_dp
-! rooms: 4165509876
+! rooms: 2762755340
