@@ -3,6 +3,8 @@
 !> furiko [COMMAND] [OPTIONS]: one command for each question; without one, the table.
 program main
    use furiko, only : furiko_selftest, furiko_version
+   ! allow(C121)
+   use furiko_c ! nothing of it: lest fpm leaves it out of the library
    use furiko_cli_commands, only : find_command
    use furiko_cli_help, only : put_help
    use furiko_cli_io, only : complain, finish, put, quit

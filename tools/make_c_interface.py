@@ -207,6 +207,11 @@ def main():
         if not (ROOT / "src/c" / f"{room}.F90").exists():
             sys.exit(f"make_c_interface: no door src/c/{room}.F90")
         ((folder or ROOT / "src/c") / f"{room}.inc").write_text("\n".join(write_room(entries, make_catalogue.module_lines(f"furiko_{topic}"))) + "\n")
+    used = re.findall(r"^   use (\w+)", (ROOT / "src/c/furiko_c.f90").read_text(), re.M)
+    for door in (ROOT / "src/c").glob("*.F90"):
+        for module in re.findall(r"^module (\w+)", door.read_text(), re.M):
+            if module not in used:
+                sys.exit(f"make_c_interface: src/c/furiko_c.f90 does not use {module}")
     for header in ("furiko.h", "furiko.hpp"):
         ((folder or ROOT / "include") / header).write_text(filled(f"{header}.in", topics))
 
