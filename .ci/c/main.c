@@ -256,6 +256,8 @@ static void check_long(void)
     free(z);
     free(m);
     free(t);
+    furiko_ellipk_m_v(0, NULL, NULL);
+    furiko_jacobi_k_v(0, NULL, NULL, NULL, NULL, NULL);
     check_near(furiko_ellipk_m(1), INFINITY, "K(1)");
     check_near(furiko_ellipk_m(2), NAN, "K(2)");
     check_near(furiko_ellipk_m(-INFINITY), 0, "K(-Inf)");
