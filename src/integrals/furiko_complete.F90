@@ -27,8 +27,8 @@ module furiko_complete_rounded
    use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_sp
-   use furiko_double_word, only : double_word, double_word_pi, operator(+), operator(-), operator(*), &
-      operator(/), sqrt
+   use furiko_word_arithmetic_dp, only : words, operator(+), operator(-), operator(*), operator(/), sqrt, &
+      mean_with_one, pi_words
    implicit none
    private
    public :: complement_of_k, complement_of_m, complement_of_alpha, k_at, e_at, b_at, d_at, evaluate
@@ -101,4 +101,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 830297314
+! rooms: 1792872029
