@@ -8,8 +8,8 @@ module furiko_cli_ellipse
    use furiko_cli_options, only : command, command_line, demand, option
    use furiko_cli_quantity, only : angle_of, in_degrees, metres, number_of, whole_of
    use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places, sheet, whole
-   use furiko_word_arithmetic_dp, only : words, pi_words, mean_with_one, operator(+), operator(-), operator(*), &
-      operator(/)
+   use furiko_word_arithmetic_dp, only : words, pi_words, mean_with_one, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    public :: perimeter_usage, arc_usage

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 #include "../src/arithmetic/furiko_compiler.inc"
 
-!> Arithmetic on words of real64: exact identities, 30 digits of known numbers, and real128 where there is one.
+!> Arithmetic on words of real64: exact identities, 30 digits of known numbers, real128 where there is one.
 module test_word_arithmetic
    use, intrinsic :: iso_fortran_env, only : wp => real64
 #ifdef FURIKO_REAL128
@@ -31,10 +31,10 @@ contains
          new_unittest('quotient', test_quotient), &
          new_unittest('square-root', test_square_root), &
          new_unittest('sine', test_sine), &
-#ifdef FURIKO_REAL128
-         new_unittest('beside-real128', test_beside_real128), &
-#endif
          new_unittest('arithmetic-geometric-mean', test_mean)]
+#ifdef FURIKO_REAL128
+      testsuite = [testsuite, new_unittest('beside-real128', test_beside_real128)]
+#endif
    end subroutine collect_word_arithmetic
 
 
@@ -55,7 +55,8 @@ contains
       if (allocated(error)) return
       ! less one word nothing goes
       x = words(1.25_wp, 2.0_wp**(-54) + 2.0_wp**(-106)) - 1.0_wp
-      call check(error, abs(x%hi - 0.25_wp - 2.0_wp**(-54)) <= 0.0_wp .and. abs(x%lo - 2.0_wp**(-106)) <= 0.0_wp)
+      call check(error, abs(x%hi - 0.25_wp - 2.0_wp**(-54)) <= 0.0_wp .and. &
+         abs(x%lo - 2.0_wp**(-106)) <= 0.0_wp)
    end subroutine test_sum
 
 
