@@ -101,4 +101,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 1792872029
+! rooms: 4288513745
