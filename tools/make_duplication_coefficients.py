@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Write the coefficients of one duplication at a time, in src/integrals: furiko_duplication_series.inc, the
-series of R_F and R_J about equal arguments, exact; furiko_quarter_sine_{sp,dp}.inc, minimax polynomials.
+"""Write the coefficients of one duplication at a time, in src/integrals: furiko_{rf,rj}_series.inc, the series of
+R_F and R_J about equal arguments, exact; furiko_{rc_series,quarter_sine}_{sp,dp}.inc, minimax polynomials.
 
 R_F(A(1-X), A(1-Y), A(1-Z)), X+Y+Z = 0, is A^(-1/2) times the sum over (a, b) of fab E2^a E3^b with
 fab = C(-1/2, a+b) C(a+b, b) (-1)^b/(2N+1), N = 2a+3b; R_J likewise with E2..E5 and 3/(2N+3)

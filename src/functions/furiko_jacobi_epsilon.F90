@@ -54,4 +54,4 @@ module furiko_jacobi_epsilon
    public
    private :: epsilon_of
 end module furiko_jacobi_epsilon
-! rooms: 1631811336
+! rooms: 2866006024

@@ -53,4 +53,4 @@ module furiko_jacobi_inverse
    implicit none
    public
 end module furiko_jacobi_inverse
-! rooms: 3353616129
+! rooms: 1411048242

@@ -66,4 +66,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 230767647
+! rooms: 1422766056

@@ -62,4 +62,4 @@ module furiko_nome
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 end module furiko_nome
-! rooms: 2333967839
+! rooms: 1397608292

@@ -35,4 +35,4 @@ module furiko_quotients_qp
    include 'furiko_quotients.inc'
 end module furiko_quotients_qp
 #endif
-! rooms: 65060835
+! rooms: 398674935

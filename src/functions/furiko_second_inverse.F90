@@ -59,4 +59,4 @@ module furiko_second_inverse
    implicit none
    public
 end module furiko_second_inverse
-! rooms: 2925854026
+! rooms: 1826431617

@@ -53,4 +53,4 @@ contains
    include 'furiko_rc_series_qp.inc'
 end module furiko_carlson_plain_qp
 #endif
-! rooms: 2600268488
+! rooms: 327003040

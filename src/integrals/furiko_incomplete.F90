@@ -45,4 +45,4 @@ module furiko_incomplete
    implicit none
    public
 end module furiko_incomplete
-! rooms: 1220229900
+! rooms: 2627161732

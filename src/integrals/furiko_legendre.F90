@@ -51,4 +51,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 1897490429
+! rooms: 811960523

@@ -68,4 +68,4 @@ module furiko_legendre_one_qp
    include 'furiko_rc_series_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 685371926
+! rooms: 861911783

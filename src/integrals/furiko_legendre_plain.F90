@@ -37,4 +37,4 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_oddness.inc'
    include 'furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
-! rooms: 2358048633
+! rooms: 3792542278

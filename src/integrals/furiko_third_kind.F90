@@ -45,4 +45,4 @@ module furiko_third_kind
    implicit none
    public
 end module furiko_third_kind
-! rooms: 2104066145
+! rooms: 82144760

@@ -59,4 +59,4 @@ module furiko_period
    implicit none
    public
 end module furiko_period
-! rooms: 3734066297
+! rooms: 1392296487
