@@ -101,4 +101,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 3771025194
+! rooms: 3849457470
