@@ -134,8 +134,6 @@ def wide(count, digits):
         for i, b in enumerate(nodes):
             for j in range(count):
                 matrix[i, j] = b**j
-        if count % 2:
-            nodes[count//2] = mpf(0)
         c = list(mp.lu_solve(matrix, mp.matrix([f(centre + b) for b in nodes])))
         error = max(abs(mp.polyval(c[::-1], b) - f(centre + b)) for b in (half*(i + mpf(1)/3)/300
                                                                          for i in range(-300, 300)))
@@ -145,8 +143,8 @@ def wide(count, digits):
     rest = numbers[1:count] + numbers[count + 1:]
     width = 2 if digits > 15 else 4
     rows = ", &\n         ".join(", ".join(rest[i:i + width]) for i in range(0, len(rest), width))
-    return ["   !> R_C(1, 1 + a) - 1, -1/2 <= a <= 1: a polynomial for either sign, about the middle of its range,",
-            "   !> four powers side by side",
+    return ["   !> R_C(1, 1 + a) - 1, -1/2 <= a <= 1: a polynomial for either sign, about the middle of its",
+            "   !> range, four powers side by side",
             "   elemental function rc_excess(a) result(f)",
             "      real(wp), intent(in) :: a",
             "      real(wp) :: f",

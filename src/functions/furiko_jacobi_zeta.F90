@@ -66,4 +66,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 2102506593
+! rooms: 1638942664
