@@ -71,4 +71,4 @@ module furiko_legendre_one_qp
    include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 2526599033
+! rooms: 1585745472
