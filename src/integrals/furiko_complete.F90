@@ -101,4 +101,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 1628365032
+! rooms: 1706797308

@@ -16,6 +16,7 @@ module furiko_legendre_one_sp
    include 'furiko_legendre_complete.inc'
    include 'furiko_quarter_sine_sp.inc'
    include 'furiko_rc_series_sp.inc'
+   include 'furiko_rc_wide_sp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_within.inc'
@@ -37,6 +38,7 @@ module furiko_legendre_one_dp
    include 'furiko_legendre_complete.inc'
    include 'furiko_quarter_sine_dp.inc'
    include 'furiko_rc_series_dp.inc'
+   include 'furiko_rc_wide_dp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_within.inc'
@@ -66,6 +68,7 @@ module furiko_legendre_one_qp
    include 'furiko_legendre_loop.inc'
    include 'furiko_quarter_sine_qp.inc'
    include 'furiko_rc_series_qp.inc'
+   include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 861911783
+! rooms: 803930590
