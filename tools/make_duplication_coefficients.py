@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Write the coefficients of one duplication at a time, in src/integrals: furiko_duplication_series.inc, the
-series of R_F and R_J about equal arguments, exact; furiko_quarter_sine_{sp,dp}.inc, minimax polynomials.
+"""Write the coefficients of one duplication at a time, in src/integrals: furiko_{rf,rj}_series.inc, the
+series of R_F and R_J about equal arguments, exact; furiko_rc_series_{sp,dp}.inc, minimax polynomials; and
+likewise, in src/arithmetic, furiko_quarter_sine_{sp,dp}.inc.
 
 R_F(A(1-X), A(1-Y), A(1-Z)), X+Y+Z = 0, is A^(-1/2) times the sum over (a, b) of fab E2^a E3^b with
 fab = C(-1/2, a+b) C(a+b, b) (-1)^b/(2N+1), N = 2a+3b; R_J likewise with E2..E5 and 3/(2N+3)
@@ -18,7 +19,7 @@ from fractions import Fraction
 from mpmath import mp, mpf
 
 mp.dps = 60
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "src" / "integrals"
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "src"
 ORDER_RF, ORDER_RJ = 15, 9
 # A little more than (pi/4)^2, for the rounding of the quarters
 LIMIT = (mp.pi/4)**2*(1 + mpf(2)**-12)
@@ -125,13 +126,14 @@ def inverse_tangent(count, digits):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
     note = "   ! Written by tools/make_duplication_coefficients.py: do not edit."
-    files = {"furiko_rf_series.inc": ["      ! fab: of E2^a E3^b"] + series("f", ORDER_RF, 2, 1),
-             "furiko_rj_series.inc": ["      ! jabcd: of E2^a E3^b E4^c E5^d"] + series("j", ORDER_RJ, 4, 3),
-             "furiko_rc_series_sp.inc": inverse_tangent(7, 12),
-             "furiko_rc_series_dp.inc": inverse_tangent(15, 21),
-             "furiko_quarter_sine_sp.inc": sine_and_cosine("sp", 3, 12),
-             "furiko_quarter_sine_dp.inc": sine_and_cosine("dp", 6, 21)}
+    files = {"integrals/furiko_rf_series.inc": ["      ! fab: of E2^a E3^b"] + series("f", ORDER_RF, 2, 1),
+             "integrals/furiko_rj_series.inc": ["      ! jabcd: of E2^a E3^b E4^c E5^d"] + series("j", ORDER_RJ, 4, 3),
+             "integrals/furiko_rc_series_sp.inc": inverse_tangent(7, 12),
+             "integrals/furiko_rc_series_dp.inc": inverse_tangent(15, 21),
+             "arithmetic/furiko_quarter_sine_sp.inc": sine_and_cosine("sp", 3, 12),
+             "arithmetic/furiko_quarter_sine_dp.inc": sine_and_cosine("dp", 6, 21)}
     for name, lines in files.items():
+        (folder/name).parent.mkdir(exist_ok=True)
         (folder/name).write_text("\n".join([note] + lines) + "\n")
 
 

@@ -12,8 +12,9 @@ module furiko_modulus_sp
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
+   use furiko_quotients_sp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_sp, only : quotients_of_one => quotients, quotients_of_rest
+   use furiko_quotients_lanes_sp, only : quotients_of_many => quotients
    use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
@@ -35,8 +36,9 @@ module furiko_modulus_dp
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
+   use furiko_quotients_dp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_dp, only : quotients_of_one => quotients, quotients_of_rest
+   use furiko_quotients_lanes_dp, only : quotients_of_many => quotients
    use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
@@ -59,8 +61,8 @@ module furiko_modulus_qp
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
+   use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_qp, only : quotients_of_one => quotients, quotients_of_rest, quotients_of_many => quotients
    use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
@@ -88,4 +90,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 1899295231
+! rooms: 1262600622
