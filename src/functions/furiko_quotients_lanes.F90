@@ -83,4 +83,4 @@ module furiko_quotients_lane_qp
    include '../arithmetic/furiko_quarter_sine_qp.inc'
 end module furiko_quotients_lane_qp
 #endif
-! rooms: 1203487517
+! rooms: 1074484956
