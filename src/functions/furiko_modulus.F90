@@ -7,6 +7,7 @@ module furiko_modulus_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
    use furiko_arctangent_sp, only : arctangents
+   use furiko_arctangent_one_sp, only : arctangents_of_one => arctangents
    use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_sp, only : half_pi
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -31,6 +32,7 @@ module furiko_modulus_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
    use furiko_arctangent_dp, only : arctangents
+   use furiko_arctangent_one_dp, only : arctangents_of_one => arctangents
    use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_dp, only : half_pi
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -55,7 +57,7 @@ end module furiko_modulus_dp
 module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
-   use furiko_arctangent_qp, only : arctangents
+   use furiko_arctangent_qp, only : arctangents, arctangents_of_one => arctangents
    use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
    use furiko_half_pi_qp, only : half_pi
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -90,4 +92,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 108399978
+! rooms: 1804613316
