@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
 #include "furiko_compiler.inc"
 
-!> The arctangent of two numbers, one lane at a time; see furiko_arctangent.F90: the same text in another file,
-!> for gfortran folds what is the same in one and then does not inline it. Internal.
+!> The arctangent of two numbers, one lane at a time; many are in furiko_arctangent.F90: the same text in
+!> another file, for gfortran folds what is the same in one, and then does not inline it. Internal.
 module furiko_arctangent_one_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_half_pi_sp, only : half_pi

@@ -39,4 +39,4 @@ module furiko_bits_qp
    include 'furiko_bits_qp.inc'
 end module furiko_bits_qp
 #endif
-! rooms: 3689215242
+! rooms: 569044787

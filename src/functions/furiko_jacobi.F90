@@ -96,4 +96,4 @@ module furiko_jacobi
       jacobi_sd_m, jacobi_sd_mc, jacobi_ds_k, jacobi_ds_m, jacobi_ds_mc, jacobi_cd_k, &
       jacobi_cd_m, jacobi_cd_mc, jacobi_dc_k, jacobi_dc_m, jacobi_dc_mc
 end module furiko_jacobi
-! rooms: 373763695
+! rooms: 2394018433

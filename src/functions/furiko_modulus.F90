@@ -64,7 +64,8 @@ module furiko_modulus_qp
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
    use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
-   use furiko_quotients_lane_qp, only : quotients_of_one => quotients, quotients_of_rest, quotients_of_many => quotients
+   use furiko_quotients_lane_qp, only : quotients_of_many => quotients, quotients_of_one => quotients, &
+      quotients_of_rest
    use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
    implicit none
    private
@@ -92,4 +93,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 1804613316
+! rooms: 1474438378

@@ -1,9 +1,8 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> sn, cn and dn of one modulus and one argument at a time; of many side by side, see
-!> furiko_quotients_lanes.F90: the same text in another file, for gfortran folds what is the same in one and
-!> then does not inline it. Internal.
+!> sn, cn and dn of one modulus, one argument at a time; many are in furiko_quotients_lanes.F90: the same
+!> text in another file, for gfortran folds what is the same in one, and then does not inline it. Internal.
 module furiko_quotients_lane_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_quotients_sp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
@@ -51,4 +50,4 @@ module furiko_quotients_lane_qp
    include '../arithmetic/furiko_quarter_sine_qp.inc'
 end module furiko_quotients_lane_qp
 #endif
-! rooms: 1074484956
+! rooms: 3285050471
