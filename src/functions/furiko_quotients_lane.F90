@@ -50,4 +50,4 @@ module furiko_quotients_lane_qp
    include '../arithmetic/furiko_quarter_sine_qp.inc'
 end module furiko_quotients_lane_qp
 #endif
-! rooms: 3285050471
+! rooms: 1916061548

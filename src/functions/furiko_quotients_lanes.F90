@@ -34,4 +34,4 @@ module furiko_quotients_lanes_dp
    include '../arithmetic/furiko_power_of_two.inc'
    include '../arithmetic/furiko_tame.inc'
 end module furiko_quotients_lanes_dp
-! rooms: 2795178398
+! rooms: 528545650
