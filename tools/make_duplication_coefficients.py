@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Write the coefficients of one duplication at a time, in src/integrals: furiko_{rf,rj}_series.inc, the series of
-R_F and R_J about equal arguments, exact; furiko_rc_{series,wide}_{sp,dp}.inc, R_C by interpolation;
-furiko_quarter_sine_{sp,dp}.inc, minimax polynomials.
+R_F and R_J about equal arguments, exact; furiko_rc_{series,wide}_{sp,dp}.inc, R_C by interpolation; and
+furiko_quarter_sine_{sp,dp}.inc in src/arithmetic, minimax polynomials.
 
 R_F(A(1-X), A(1-Y), A(1-Z)), X+Y+Z = 0, is A^(-1/2) times the sum over (a, b) of fab E2^a E3^b with
 fab = C(-1/2, a+b) C(a+b, b) (-1)^b/(2N+1), N = 2a+3b; R_J likewise with E2..E5 and 3/(2N+3)
@@ -19,7 +19,7 @@ from fractions import Fraction
 from mpmath import mp, mpf
 
 mp.dps = 60
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "src" / "integrals"
+SRC = pathlib.Path(__file__).resolve().parent.parent / "src"
 ORDER_RF, ORDER_RJ = 15, 9
 # A little more than (pi/4)^2, for the rounding of the quarters
 LIMIT = (mp.pi/4)**2*(1 + mpf(2)**-12)
@@ -166,7 +166,6 @@ def wide(count, digits):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
     note = "   ! Written by tools/make_duplication_coefficients.py: do not edit."
     files = {"furiko_rf_series.inc": ["      ! fab: of E2^a E3^b"] + series("f", ORDER_RF, 2, 1),
              "furiko_rj_series.inc": ["      ! jabcd: of E2^a E3^b E4^c E5^d"] + series("j", ORDER_RJ, 4, 3),
@@ -177,6 +176,8 @@ def main():
              "furiko_quarter_sine_sp.inc": sine_and_cosine("sp", 3, 12),
              "furiko_quarter_sine_dp.inc": sine_and_cosine("dp", 6, 21)}
     for name, lines in files.items():
+        room = SRC / ("arithmetic" if "sine" in name else "integrals")
+        folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else room
         (folder/name).write_text("\n".join([note] + lines) + "\n")
 
 

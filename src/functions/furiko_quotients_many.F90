@@ -36,4 +36,4 @@ module furiko_quotients_many_dp
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
 end module furiko_quotients_many_dp
-! rooms: 626240183
+! rooms: 2433818918

@@ -14,7 +14,7 @@ module furiko_legendre_one_sp
    private
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete.inc'
-   include 'furiko_quarter_sine_sp.inc'
+   include '../arithmetic/furiko_quarter_sine_sp.inc'
    include 'furiko_rc_series_sp.inc'
    include 'furiko_rc_wide_sp.inc'
 #include "../arithmetic/furiko_bits.inc"
@@ -36,7 +36,7 @@ module furiko_legendre_one_dp
    private
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete.inc'
-   include 'furiko_quarter_sine_dp.inc'
+   include '../arithmetic/furiko_quarter_sine_dp.inc'
    include 'furiko_rc_series_dp.inc'
    include 'furiko_rc_wide_dp.inc'
 #include "../arithmetic/furiko_bits.inc"
@@ -66,7 +66,7 @@ module furiko_legendre_one_qp
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete_qp.inc'
    include 'furiko_legendre_loop.inc'
-   include 'furiko_quarter_sine_qp.inc'
+   include '../arithmetic/furiko_quarter_sine_qp.inc'
    include 'furiko_rc_series_qp.inc'
    include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp

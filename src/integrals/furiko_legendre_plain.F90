@@ -17,7 +17,7 @@ module furiko_legendre_plain_sp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_oddness.inc'
-   include 'furiko_quarter_sine_sp.inc'
+   include '../arithmetic/furiko_quarter_sine_sp.inc'
 end module furiko_legendre_plain_sp
 
 
@@ -35,6 +35,6 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_oddness.inc'
-   include 'furiko_quarter_sine_dp.inc'
+   include '../arithmetic/furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
 ! rooms: 3792542278
