@@ -6,8 +6,9 @@ module furiko_jacobi_zeta_sp
    use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_fold_sp, only : fold
    use furiko_duplication_sp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_sp, only : fold_one, phi_max
-   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_sp, only : parameters, outside
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, scale, pi_words
    implicit none
@@ -24,8 +25,9 @@ module furiko_jacobi_zeta_dp
    use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_dp, only : fold_one, phi_max
-   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_dp, only : parameters, outside
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, scale, pi_words
    implicit none
@@ -43,8 +45,9 @@ module furiko_jacobi_zeta_qp
    use furiko_bits_qp, only : head, infinity, is_nan, nan
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_qp, only : fold_one, phi_max
-   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_qp, only : parameters, outside
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, scale, pi_words
    implicit none

@@ -9,6 +9,7 @@ module furiko_modulus_sp
    use furiko_arctangent_sp, only : arctangents
    use furiko_arctangent_one_sp, only : arctangents_of_one => arctangents
    use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_sp, only : half_pi
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
@@ -16,7 +17,7 @@ module furiko_modulus_sp
    use furiko_quotients_sp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
    use furiko_quotients_lane_sp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_sp, only : quotients_of_many => quotients
-   use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_far_sp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -34,6 +35,7 @@ module furiko_modulus_dp
    use furiko_arctangent_dp, only : arctangents
    use furiko_arctangent_one_dp, only : arctangents_of_one => arctangents
    use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_dp, only : half_pi
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
@@ -41,7 +43,7 @@ module furiko_modulus_dp
    use furiko_quotients_dp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
    use furiko_quotients_lane_dp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_dp, only : quotients_of_many => quotients
-   use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_far_dp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -59,6 +61,7 @@ module furiko_modulus_qp
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
    use furiko_arctangent_qp, only : arctangents, arctangents_of_one => arctangents
    use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_qp, only : half_pi
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
@@ -66,7 +69,7 @@ module furiko_modulus_qp
    use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
    use furiko_quotients_lane_qp, only : quotients_of_many => quotients, quotients_of_one => quotients, &
       quotients_of_rest
-   use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_far_qp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
