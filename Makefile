@@ -111,8 +111,8 @@ put = install -d "$(DESTDIR)$(2)" && install -m $(or $(3),644) $(1) "$(DESTDIR)$
    for file in $(1); do echo "$(DESTDIR)$(2)/$$(basename $$file)" >>$(BUILD)/installed; done
 install: all
 	@touch $(BUILD)/installed
-	sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@MODULES@|$(MODULES)|' \
-	   -e 's|@VERSION@|$(version)|; s|@PRIVATE@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
+	sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(LIBDIR)|; s|@modules@|$(MODULES)|' \
+	   -e 's|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
 	$(call put,$(BUILD)/libfuriko.a,$(LIBDIR))
 	$(if $(SHARED),$(call put,$(BUILD)/$(soname),$(LIBDIR),755))
 	$(if $(SHARED),ln -sf $(soname) "$(DESTDIR)$(LIBDIR)/libfuriko.so")
