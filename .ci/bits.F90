@@ -14,7 +14,8 @@ program bits
 
    state = 7
    do i = 1, size(catalogue)
-      allocate(x(rows, argument_count(catalogue(i))), y(rows, result_count(catalogue(i))), z(result_count(catalogue(i))))
+      allocate(x(rows, argument_count(catalogue(i))), z(result_count(catalogue(i))))
+      allocate(y(rows, size(z)))
       do k = 1, size(x, 2)
          do j = 1, rows
             x(j, k) = next()*merge(1, 12, mod(j, 4) < 2)
