@@ -319,8 +319,9 @@ contains
       integer :: code
 
       call run_inside('mkfifo pipe; ' // &
-         'furiko eval ellipk_m <pipe | { read -r line; echo first $line >&2; cat; } & ' // &
-         'exec 3>pipe; echo 0 >&3; sleep 1; echo second >&2; echo 0.5 >&3; exec 3>&-; wait', &
+         'furiko eval ellipk_m <pipe | { read -r line; echo first $line >&2; >answered; cat; } & ' // &
+         'exec 3>pipe; echo 0 >&3; for i in $(seq 200); do test -e answered && break; sleep 0.1; done; ' // &
+         'rm answered; echo second >&2; echo 0.5 >&3; exec 3>&-; wait', &
          output, errors, code)
       call check(error, errors, 'first 1.5707963267948966' // nl // 'second' // nl)
       if (allocated(error)) return

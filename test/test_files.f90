@@ -191,7 +191,7 @@ contains
    !> of it; elsewhere nothing is said.
    subroutine test_progress(error)
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: rows = 'rk4 --every 1 --periods 200 | (sleep 3; wc -l)'
+      character(len=*), parameter :: rows = 'rk4 --every 1 --periods 200 | (sleep 5; wc -l)'
       character(len=*), parameter :: margin = char(13)
       character(len=:), allocatable :: errors, output
       integer :: at, code

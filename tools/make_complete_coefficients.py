@@ -167,21 +167,19 @@ def wrapped(items):
     return '\n'.join(lines + [line])
 
 
-def vector(name, lower, items, access=''):
-    return (f'   real(wp), parameter{access} :: {name}({lower}:{lower + len(items) - 1}) = [ &\n'
+def vector(name, lower, items):
+    return (f'   real(wp), parameter :: {name}({lower}:{lower + len(items) - 1}) = [ &\n'
             + wrapped(items) + ']\n')
 
 
 def matrix(name, n, columns, parts):
-    """a matrix built from vectors, for the standard allows 255 continuation lines only"""
-    text, names, size = '', [], len(columns)//parts
-    for p in range(parts):
-        items = [s for column in columns[p*size:(p + 1)*size] for s in column]
-        names.append(f'{name}_{p + 1}')
-        text += vector(names[-1], 1, items, ', private')
-    shape = f'0:{n - 1}, 0:{len(columns) - 1}'
-    return text + (f'   real(wp), parameter :: {name}({shape}) = reshape( &\n'
-                   f'      [{", ".join(names)}], [{n}, {len(columns)}])\n')
+    """in parts, for the standard allows 255 continuation lines only; variables that nobody can change, since
+    gfortran would keep the parts of a parameter beside it, a second copy"""
+    text, size = f'   real(wp), save, protected :: {name}(0:{n - 1}, 0:{len(columns) - 1})\n', len(columns)//parts
+    for first in range(0, len(columns), size):
+        items = [s for column in columns[first:first + size] for s in column]
+        text += f'   data {name}(:, {first}:{first + size - 1}) / &\n' + wrapped(items) + '/\n'
+    return text
 
 
 def split(kind, v):

@@ -17,7 +17,7 @@ for _ in range(count):
     digits.append(d)
     x -= d
 with open(os.path.join(here, 'furiko_two_over_pi.inc'), 'w') as f:
-    f.write('   ! 2/pi in base 2**24, written by generate_half_pi.py\n')
+    f.write('   ! 2/pi in base 2**24, written by make_half_pi.py\n')
     f.write('   integer, parameter :: two_over_pi(%d) = [ &\n' % count)
     for i in range(0, count, 8):
         f.write('      ' + ', '.join('%d' % d for d in digits[i:i + 8]) + (', &\n' if i + 8 < count else ']\n'))
@@ -25,7 +25,7 @@ for name, title, number in (('half_pi', 'pi/2', mp.pi/2), ('log_two', 'ln 2', mp
     for kind, bits, show in (('sp', 12, 20), ('dp', 26, 30), ('qp', 49, 50)):
         x = number
         with open(os.path.join(here, 'furiko_%s_%s.inc' % (name, kind)), 'w') as f:
-            f.write('   ! %s in parts of %d bits, written by generate_half_pi.py\n' % (title, bits))
+            f.write('   ! %s in parts of %d bits, written by make_half_pi.py\n' % (title, bits))
             f.write('   real(wp), parameter :: %s(6) = [ &\n' % name)
             for i in range(6):
                 e = int(mp.floor(mp.log(x, 2))) + 1

@@ -30,4 +30,4 @@ module furiko_half_pi_qp
    include 'furiko_half_pi_qp.inc'
 end module furiko_half_pi_qp
 #endif
-! rooms: 2027122486
+! rooms: 1601300663

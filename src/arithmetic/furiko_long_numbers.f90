@@ -211,4 +211,4 @@ contains
    end function long_mean
 
 end module furiko_long_numbers
-! rooms: 888785596
+! rooms: 3428860256

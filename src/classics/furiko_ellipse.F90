@@ -51,4 +51,4 @@ module furiko_ellipse
    implicit none
    public
 end module furiko_ellipse
-! rooms: 3154443514
+! rooms: 3277990022

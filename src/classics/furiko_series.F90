@@ -47,4 +47,4 @@ module furiko_series
    implicit none
    public
 end module furiko_series
-! rooms: 58709413
+! rooms: 2394527448

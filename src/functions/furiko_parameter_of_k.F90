@@ -35,4 +35,4 @@ module furiko_parameter_of_k_qp
    include 'furiko_parameter_of_k.inc'
 end module furiko_parameter_of_k_qp
 #endif
-! rooms: 2005737159
+! rooms: 2725709684

@@ -50,4 +50,4 @@ module furiko_theta
    implicit none
    public
 end module furiko_theta
-! rooms: 509455586
+! rooms: 2428613147

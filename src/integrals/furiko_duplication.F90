@@ -33,4 +33,4 @@ module furiko_duplication_qp
    include 'furiko_duplication.inc'
 end module furiko_duplication_qp
 #endif
-! rooms: 3595822355
+! rooms: 3719368863

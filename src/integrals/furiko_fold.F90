@@ -37,4 +37,4 @@ module furiko_fold_qp
    include 'furiko_fold.inc'
 end module furiko_fold_qp
 #endif
-! rooms: 2980298415
+! rooms: 3613166775

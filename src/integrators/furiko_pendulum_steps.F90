@@ -63,4 +63,4 @@ module furiko_pendulum_steps
    implicit none
    public
 end module furiko_pendulum_steps
-! rooms: 1222206433
+! rooms: 198429314

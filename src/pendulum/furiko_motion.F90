@@ -66,4 +66,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 3387523171
+! rooms: 180730549
