@@ -4,11 +4,11 @@
 module furiko_cli_animate
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : furiko_version, nome_m, nome_mc
-   use furiko_cli_decimal, only : decimal, to_double_word
+   use furiko_cli_decimal, only : decimal, to_words
    use furiko_cli_files, only : open_output, output
    use furiko_cli_options, only : command, command_line, option, word
-   use furiko_double_word, only : double_word, double_word_pi, sin, operator(*), operator(/)
    use furiko_period_degrees, only : period_ratio_degrees
+   use furiko_word_arithmetic_dp, only : words, pi_words, sin, operator(*), operator(/)
    implicit none
    private
    public :: animate_usage
@@ -62,7 +62,7 @@ contains
       integer, intent(in) :: tenths
       character(len=:), allocatable :: row
       character(len=60) :: buffer
-      type(double_word) :: ratio
+      type(words) :: ratio
 
       ratio = period_ratio_degrees(degrees(tenths))
       write(buffer, '("[", f18.16, ",", es22.16e2, "]")') ratio%hi, nome(tenths)
@@ -74,9 +74,9 @@ contains
    pure function nome(tenths) result(q)
       integer, intent(in) :: tenths
       real(wp) :: q
-      type(double_word) :: sine
+      type(words) :: sine
 
-      sine = sin(degrees(min(tenths, 1800 - tenths))*double_word_pi/double_word(360.0_wp))
+      sine = sin(degrees(min(tenths, 1800 - tenths))*pi_words/360.0_wp)
       sine = sine*sine
       if (tenths <= 900) then
          q = nome_m(sine%hi)
@@ -88,9 +88,9 @@ contains
 
    pure function degrees(tenths)
       integer, intent(in) :: tenths
-      type(double_word) :: degrees
+      type(words) :: degrees
 
-      degrees = to_double_word(decimal(int(tenths, int64), 1))
+      degrees = to_words(decimal(int(tenths, int64), 1))
    end function degrees
 
 

@@ -7,15 +7,11 @@ module furiko_cli_converge
    use furiko_cli_options, only : command, command_line, demand, option
    use furiko_cli_quantity, only : no_unit, number_of, whole_of
    use furiko_cli_sheet, only : begin_sheet, column, format_option, places_of_words, powers, sheet, whole
-   use furiko_double_word, only : double_word, double_word_pi, sin, sqrt, operator(+), operator(-), &
-      operator(*), operator(/)
+   use furiko_word_arithmetic_dp, only : words, pi_words, mean_with_one, sin, sqrt, operator(+), &
+      operator(-), operator(*), operator(/)
    implicit none
    private
    public :: converge_usage
-
-
-   type(double_word), parameter :: one = double_word(1.0_wp)
-   type(double_word), parameter :: two = double_word(2.0_wp)
 
 
 contains
@@ -45,22 +41,22 @@ contains
          column('agm', places_of_words, 15, width=18), column('agm_error', powers, 1, 3, 7, 'error'), &
          column('agm_digits', whole, head='-')]
       type(sheet) :: page
-      type(double_word) :: errors(3), exact, k, m, mc, row(10), values(3)
+      type(words) :: errors(3), exact, k, m, mc, row(10), values(3)
       integer :: i, n, steps
 
       k = number_of(line%value('--k'), no_unit)
       m = k*k
-      mc = (one - k)*(one + k)
+      mc = (1.0_wp - k)*(1.0_wp + k)
       call demand(mc%hi > 0.0_wp, line%value('--k'), '-1 < k < 1')
       steps = whole_of(line%value('--steps'), 1, 10000)
-      exact = agm(mc, 20)
+      exact = agm(mc)
       page = begin_sheet(line, columns, rows=int(steps, int64))
       do n = 1, steps
          values = [series(m, n), trapezoid(m, mc, n), agm(mc, n)]
-         row(1) = double_word(real(n, wp))
+         row(1) = words(real(n, wp))
          do i = 1, 3
-            errors(i) = values(i)/exact - one
-            row(3*i - 1:3*i + 1) = [values(i), errors(i), double_word(digits_of(errors(i)%hi))]
+            errors(i) = values(i)/exact - 1.0_wp
+            row(3*i - 1:3*i + 1) = [values(i), errors(i), words(digits_of(errors(i)%hi))]
          end do
          call page%row(row)
       end do
@@ -71,16 +67,16 @@ contains
 
    !> The first n terms of pi/2 (1 + m/4 + 9 m^2/64 + ...), DLMF 19.5.1
    pure function series(m, n) result(integral)
-      type(double_word), intent(in) :: m
+      type(words), intent(in) :: m
       integer, intent(in) :: n
-      type(double_word) :: integral
-      type(double_word) :: factor, term
+      type(words) :: integral
+      type(words) :: factor, term
       integer :: i
 
-      term = double_word_pi/two
+      term = pi_words/2.0_wp
       integral = term
       do i = 1, n - 1
-         factor = double_word(2*i - 1.0_wp)/double_word(2.0_wp*i)
+         factor = words(2*i - 1.0_wp)/(2.0_wp*i)
          term = term*(factor*factor*m)
          integral = integral + term
       end do
@@ -90,40 +86,32 @@ contains
    !> pi/(2n) times the sum of 1/sqrt(1 - m sin^2) = 1/sqrt(mc + m cos^2) at n + 1 angles, half the first
    !> and the last
    pure function trapezoid(m, mc, n) result(integral)
-      type(double_word), intent(in) :: m
-      type(double_word), intent(in) :: mc
+      type(words), intent(in) :: m
+      type(words), intent(in) :: mc
       integer, intent(in) :: n
-      type(double_word) :: integral
-      type(double_word) :: cosine, step
+      type(words) :: integral
+      type(words) :: cosine, step
       integer :: i
 
-      step = double_word_pi/double_word(2.0_wp*n)
-      integral = (one + one/sqrt(mc))/two
+      step = pi_words/(2.0_wp*n)
+      integral = (1.0_wp + 1.0_wp/sqrt(mc))/2.0_wp
       do i = 1, n - 1
-         cosine = sin(double_word(real(i, wp))*step)
-         integral = integral + one/sqrt(mc + m*cosine*cosine)
+         cosine = sin(real(i, wp)*step)
+         integral = integral + 1.0_wp/sqrt(mc + m*cosine*cosine)
       end do
       integral = integral*step
    end function trapezoid
 
 
-   !> pi/2 over the arithmetic-geometric mean of 1 and sqrt(mc) after n steps, DLMF 19.8.5
+   !> pi/2 over the arithmetic-geometric mean of 1 and sqrt(mc), or over what n steps make of it, DLMF 19.8.5
    pure function agm(mc, n) result(integral)
-      type(double_word), intent(in) :: mc
-      integer, intent(in) :: n
-      type(double_word) :: integral
-      type(double_word) :: a, b, geometric
-      integer :: i
+      type(words), intent(in) :: mc
+      integer, intent(in), optional :: n
+      type(words) :: integral
+      type(words) :: mean
 
-      a = one
-      b = sqrt(mc)
-      ! they are one number long before the twentieth step
-      do i = 1, min(n, 20)
-         geometric = sqrt(a*b)
-         a = (a + b)/two
-         b = geometric
-      end do
-      integral = double_word_pi/(two*a)
+      call mean_with_one(sqrt(mc), mean, steps=n)
+      integral = pi_words/(2.0_wp*mean)
    end function agm
 
 

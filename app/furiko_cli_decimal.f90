@@ -4,10 +4,10 @@
 module furiko_cli_decimal
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_cli_number, only : numeral, take_apart
-   use furiko_double_word, only : double_word, operator(-), operator(*), operator(/)
+   use furiko_word_arithmetic_dp, only : words, operator(-), operator(*), operator(/)
    implicit none
    private
-   public :: decimal, read_decimal, rescale, to_text, to_double_word, fixed
+   public :: decimal, read_decimal, rescale, to_text, to_words, fixed
 
 
    !> The number digits/10**places
@@ -77,28 +77,27 @@ contains
    end function to_text
 
 
-   elemental function to_double_word(number) result(x)
+   elemental function to_words(number) result(x)
       type(decimal), intent(in) :: number
-      type(double_word) :: x
+      type(words) :: x
       real(wp) :: hi
 
       hi = real(number%digits, wp)
-      x = double_word(hi, real(number%digits - int(hi, int64), wp)) &
-         /double_word(10.0_wp**number%places)
-   end function to_double_word
+      x = words(hi, real(number%digits - int(hi, int64), wp))/10.0_wp**number%places
+   end function to_words
 
 
    !> x rounded to a number of decimal places, for x times 10**places below 9e18
    pure function fixed(x, places) result(text)
-      type(double_word), intent(in) :: x
+      type(words), intent(in) :: x
       integer, intent(in) :: places
       character(len=:), allocatable :: text
-      type(double_word) :: scaled
+      type(words) :: scaled
       integer(int64) :: units
 
-      scaled = x*double_word(10.0_wp**places)
+      scaled = x*10.0_wp**places
       units = nint(scaled%hi, int64)
-      scaled = scaled - double_word(real(units, wp))
+      scaled = scaled - real(units, wp)
       text = to_text(decimal(units + nint(scaled%hi, int64), places))
    end function fixed
 

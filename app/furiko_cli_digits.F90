@@ -6,8 +6,8 @@ module furiko_cli_digits
    use, intrinsic :: iso_fortran_env, only : int64
 #ifdef FURIKO_REAL128
    use, intrinsic :: iso_fortran_env, only : wp => real128
-   use furiko_word_arithmetic_qp, only : words, pi_words, sqrt, value, operator(+), operator(-), &
-      operator(*), operator(/)
+   use furiko_word_arithmetic_qp, only : words, pi_words, mean_with_one, sqrt, value, operator(+), &
+      operator(-), operator(*), operator(/)
 #endif
    use furiko_cli_number, only : exponent_mark, is_number, read_whole
    use furiko_cli_io, only : finish, put, refuse
@@ -72,7 +72,7 @@ contains
       ! of real128, not to leave its range
       integer, parameter :: most_figures = 4800
       character(len=:), allocatable :: x, y
-      type(words) :: k, per_y, margin
+      type(words) :: k, mean, per_y, margin
       logical :: valid
 
       y = '' ! for gfortran, which sees a length that was never set
@@ -82,7 +82,8 @@ contains
          elsewhere(word, count))
       if (.not. llt(x, y)) call refuse(name // ': --k ' // word // ' is outside -1 < k < 1')
       per_y = 1.0_wp/words_of(y)
-      k = pi_words/twice_mean((words_of(sum_of(y, x, -1))*per_y)*(words_of(sum_of(y, x, 1))*per_y))
+      call mean_with_one(sqrt((words_of(sum_of(y, x, -1))*per_y)*(words_of(sum_of(y, x, 1))*per_y)), mean)
+      k = pi_words/(2.0_wp*mean)
       ! a sum or product in words errs by less than 16 epsilon^2; two for each figure, and 150 more
       margin = (32.0_wp*len(y) + 2400.0_wp)*epsilon(1.0_wp)**2*k
       text = decimals(k - margin, count)
@@ -99,27 +100,6 @@ contains
 
       text = 'instead: sh digits/run --k ' // word // ' --digits ' // whole_text(count)
    end function elsewhere
-
-
-   !> 2 M(1, sqrt(mc))
-   function twice_mean(mc) result(a)
-      type(words), intent(in) :: mc
-      type(words) :: a
-      ! a step halves the logarithm of the ratio, of 14 bits, and from 2 on squares what is left
-      integer, parameter :: most_steps = 24
-      type(words) :: b, geometric
-      integer :: i
-
-      a = words(1.0_wp)
-      b = sqrt(mc)
-      do i = 1, most_steps
-         if (value(a - b) <= epsilon(1.0_wp)*a%hi) exit
-         geometric = sqrt(a*b)
-         a = 0.5_wp*(a + b)
-         b = geometric
-      end do
-      a = a + b
-   end function twice_mean
 
 
    !> The magnitude of a decimal number or of a fraction of two, as x/y: whole numbers of one length

@@ -8,8 +8,8 @@ module furiko_cli_ellipse
    use furiko_cli_options, only : command, command_line, demand, option
    use furiko_cli_quantity, only : angle_of, in_degrees, metres, number_of, whole_of
    use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places, sheet, whole
-   use furiko_double_word, only : double_word, double_word_pi, sqrt, operator(+), operator(-), operator(*), &
-      operator(/)
+   use furiko_word_arithmetic_dp, only : words, pi_words, mean_with_one, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    public :: perimeter_usage, arc_usage
@@ -33,7 +33,7 @@ contains
       type(command_line), intent(in) :: line
       type(column), parameter :: columns(2) = [column('perimeter', digits, 16), column('series', digits, 12)]
       type(sheet) :: page
-      type(double_word) :: axes(2), row(2)
+      type(words) :: axes(2), row(2)
       integer :: last, terms
 
       axes = axes_of(line)
@@ -41,47 +41,39 @@ contains
       if (line%given('--terms')) terms = whole_of(line%value('--terms'), 1, 1000000)
       last = merge(2, 1, line%given('--terms'))
       page = begin_sheet(line, columns(:last))
-      row = [perimeter(axes), double_word(ellipse_perimeter_series(axes(1)%hi, axes(2)%hi, terms))]
+      row = [perimeter(axes), words(ellipse_perimeter_series(axes(1)%hi, axes(2)%hi, terms))]
       call page%row(row(:last))
       call page%end()
       call finish()
    end subroutine perimeter_command
 
 
-   !> 2 pi a (1 - sum of 2^(n-1) c_n^2)/M(1, b/a), M the arithmetic-geometric mean of whose steps c_n are
-   !> half the differences, c_0^2 = 1 - b^2/a^2; a the larger semiaxis (DLMF 19.9.9, 19.8.6)
+   !> 2 pi a (1 - c_0^2/2 - s)/M(1, b/a), c_0^2 = 1 - b^2/a^2, s of the arithmetic-geometric mean M; a the
+   !> larger semiaxis (DLMF 19.9.9, 19.8.6)
    pure function perimeter(axes) result(length)
-      type(double_word), intent(in) :: axes(2)
-      type(double_word) :: length
-      type(double_word) :: a, b, c, one, rest, two
-      integer :: i, larger
+      type(words), intent(in) :: axes(2)
+      type(words) :: length
+      type(words) :: b, mean, s
+      integer :: larger
 
       larger = maxloc(axes%hi, 1)
       length = axes(larger)
       if (.not. length%hi > 0.0_wp) return
-      one = double_word(1.0_wp)
-      two = double_word(2.0_wp)
-      a = one
       b = axes(3 - larger)/length
-      rest = one - (one - b)*(one + b)/two
-      length = double_word(4.0_wp)*length
-      if (.not. b%hi > tiny(1.0_wp)) return
-      ! the least b/a takes 10 steps to the size of a; after that the digits double
-      do i = 0, 17
-         c = (a - b)/two
-         rest = rest - double_word(2.0_wp**i)*c*c
-         c = sqrt(a*b)
-         a = (a + b)/two
-         b = c
-      end do
-      length = length*rest*double_word_pi/(two*a)
+      length = 2.0_wp*length
+      if (.not. b%hi > tiny(1.0_wp)) then
+         length = 2.0_wp*length
+      else
+         call mean_with_one(b, mean, s)
+         length = length*pi_words*(1.0_wp - (1.0_wp - b)*(1.0_wp + b)/2.0_wp - s)/mean
+      end if
    end function perimeter
 
 
    !> The two semiaxes
    function axes_of(line) result(axes)
       type(command_line), intent(in) :: line
-      type(double_word) :: axes(2)
+      type(words) :: axes(2)
       integer :: i
 
       if (size(line%operands) < 2) call line%reject('name two semiaxes, as ' // line%name // ' 2 1')
@@ -115,13 +107,12 @@ contains
    subroutine arc_command(line)
       type(command_line), intent(in) :: line
       type(sheet) :: page
-      type(double_word) :: from, to
-      type(double_word) :: words(2)
+      type(words) :: given(2), from, to
       real(wp) :: axes(2), s(2)
       integer :: right_digits
 
-      words = axes_of(line)
-      axes = words%hi
+      given = axes_of(line)
+      axes = given%hi
       call demand(minval(axes) > 1.0e-140_wp*maxval(axes), line%operands(minloc(axes, 1)), &
          'semiaxis > 1e-140 of the other')
       from = parameter_of(line, '--from', axes)
@@ -137,7 +128,7 @@ contains
       end if
       page = begin_sheet(line, [column('from_deg', digits, 12), column('to_deg', digits, 12), &
          column('arc', digits, right_digits)])
-      call page%row([in_degrees(from), in_degrees(to), double_word(s(2) - s(1))])
+      call page%row([in_degrees(from), in_degrees(to), words(s(2) - s(1))])
       call page%end()
       call finish()
    end subroutine arc_command
@@ -147,8 +138,8 @@ contains
    subroutine put_points(line, axes, from, to, s, right_digits)
       type(command_line), intent(in) :: line
       real(wp), intent(in) :: axes(2)
-      type(double_word), intent(in) :: from
-      type(double_word), intent(in) :: to
+      type(words), intent(in) :: from
+      type(words), intent(in) :: to
       !> The arcs up to there
       real(wp), intent(in) :: s(2)
       integer, intent(in) :: right_digits
@@ -172,8 +163,8 @@ contains
       do i = 0, points - 1
          t = ellipeinc_inverse_mc((s(1) + i*step)/axes(2), (axes(1)/axes(2))**2)
          if (i == 0) t = from%hi
-         call page%row([double_word(real(i + 1, wp)), in_degrees(double_word(t)), &
-            double_word(axes(1)*cos(t)), double_word(axes(2)*sin(t)), double_word(i*step)])
+         call page%row([words(real(i + 1, wp)), in_degrees(words(t)), &
+            words(axes(1)*cos(t)), words(axes(2)*sin(t)), words(i*step)])
       end do
       call page%end()
       call finish()
@@ -185,7 +176,7 @@ contains
       type(command_line), intent(in) :: line
       character(len=*), intent(in) :: name
       real(wp), intent(in) :: axes(2)
-      type(double_word) :: t
+      type(words) :: t
       real(wp) :: sine, cosine
 
       t = angle_of(line%value(name))
@@ -193,14 +184,14 @@ contains
       if (.not. line%given('--polar')) return
       sine = sin(t%hi)
       cosine = cos(t%hi)
-      t = t + double_word(atan2((axes(1) - axes(2))*sine*cosine, axes(1)*sine**2 + axes(2)*cosine**2))
+      t = t + atan2((axes(1) - axes(2))*sine*cosine, axes(1)*sine**2 + axes(2)*cosine**2)
    end function parameter_of
 
 
    !> The arc of a cos t, b sin t from 0 to t: b E(t, 1 - a^2/b^2); its last digit by the derivative
    pure function arc(axes, t) result(s)
       real(wp), intent(in) :: axes(2)
-      type(double_word), intent(in) :: t
+      type(words), intent(in) :: t
       real(wp) :: s
 
       s = axes(2)*ellipeinc_mc(t%hi, (axes(1)/axes(2))**2) + &

@@ -10,8 +10,7 @@ module furiko_cli_motion
    use furiko_cli_quantity, only : angle_of, in_degrees, number_of, seconds
    use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places, powers, sheet, whole
    use furiko_cli_text, only : cut, suggestion
-   use furiko_double_word, only : double_word, operator(+), operator(-), operator(*), &
-      operator(/)
+   use furiko_word_arithmetic_dp, only : words, operator(+), operator(-), operator(*), operator(/)
    implicit none
    private
    public :: motion_usage, time_usage
@@ -60,7 +59,7 @@ contains
       type(pendulum) :: body
       type(word) :: list
       type(sheet) :: page
-      type(double_word) :: from, step
+      type(words) :: from, step
       integer, allocatable :: chosen(:)
       real(wp) :: rk4(2)
       integer(int64) :: i, last
@@ -79,7 +78,7 @@ contains
       end if
       rk4 = [path%angle(from%hi), path%rate(from%hi)]
       do i = 0, last
-         call page%row(values(path, body, chosen, from + double_word(real(i, wp))*step, rk4(1)))
+         call page%row(values(path, body, chosen, from + real(i, wp)*step, rk4(1)))
          call pendulum_rk4(body%gravity/body%length, step%hi, 1, rk4(1), rk4(2))
       end do
       call page%end()
@@ -100,10 +99,10 @@ contains
    !> The first time, the distance to the next, and how many follow
    subroutine read_times(line, from, step, last)
       type(command_line), intent(in) :: line
-      type(double_word), intent(out) :: from
-      type(double_word), intent(out) :: step
+      type(words), intent(out) :: from
+      type(words), intent(out) :: step
       integer(int64), intent(out) :: last
-      type(double_word) :: steps, to
+      type(words) :: steps, to
       type(word) :: word_from, word_step, word_to
 
       step = number_of(line%value('--step'), seconds)
@@ -156,10 +155,10 @@ contains
       type(motion), intent(in) :: path
       type(pendulum), intent(in) :: body
       integer, intent(in) :: chosen(:)
-      type(double_word), intent(in) :: time
+      type(words), intent(in) :: time
       !> The angle by Runge-Kutta
       real(wp), intent(in) :: rk4
-      type(double_word) :: row(size(chosen))
+      type(words) :: row(size(chosen))
       real(wp), parameter :: pi = acos(-1.0_wp)
       real(wp) :: angle, rate
       integer :: i
@@ -171,25 +170,25 @@ contains
          case ('time')
             row(i) = time
          case ('angle')
-            row(i) = double_word(angle) + double_word(rate*time%lo)
+            row(i) = words(angle) + rate*time%lo
          case ('degrees')
-            row(i) = in_degrees(double_word(angle) + double_word(rate*time%lo))
+            row(i) = in_degrees(words(angle) + rate*time%lo)
          case ('rk4')
-            row(i) = double_word(rk4)
+            row(i) = words(rk4)
          case ('error')
-            row(i) = double_word(rk4 - angle)
+            row(i) = words(rk4 - angle)
          case ('harmonic')
-            row(i) = double_word(path%harmonic_angle(time%hi))
+            row(i) = words(path%harmonic_angle(time%hi))
          case ('rate')
-            row(i) = double_word(rate - body%gravity/body%length*sin(angle)*time%lo)
+            row(i) = words(rate - body%gravity/body%length*sin(angle)*time%lo)
          case ('energy')
-            row(i) = double_word(path%energy())
+            row(i) = words(path%energy())
          case ('tension')
-            row(i) = double_word(path%tension(time%hi))
+            row(i) = words(path%tension(time%hi))
          case ('turns')
-            row(i) = double_word(anint(angle/(2*pi)))
+            row(i) = words(anint(angle/(2*pi)))
          case default
-            row(i) = double_word(path%phase(time%hi))
+            row(i) = words(path%phase(time%hi))
          end select
       end do
    end function values
@@ -213,7 +212,7 @@ contains
       type(command_line), intent(in) :: line
       type(motion) :: path
       type(sheet) :: page
-      type(double_word) :: angle
+      type(words) :: angle
       type(word) :: at
       real(wp) :: time
 
@@ -224,15 +223,15 @@ contains
          at = line%value('--at')
          angle = angle_of(at)
       else
-         angle = double_word(path%slack_angle())
+         angle = words(path%slack_angle())
          if (.not. abs(angle%hi) <= huge(1.0_wp)) call line%reject('a string would never go slack')
       end if
       time = path%time_to(angle%hi)
       if (.not. time <= huge(time)) call line%reject('the pendulum never gets to ' // at%text)
       page = begin_sheet(line, [column('angle_deg', digits, 12), column('time_s', digits, 12), &
          column('rate_rad_s', places, 10), column('tension', places, 10)])
-      call page%row([in_degrees(angle), double_word(time), double_word(path%rate(time)), &
-         double_word(path%tension(time))])
+      call page%row([in_degrees(angle), words(time), words(path%rate(time)), &
+         words(path%tension(time))])
       call page%end()
       call finish()
    end subroutine time_command

@@ -6,7 +6,7 @@
 module furiko_cli_number
    use, intrinsic :: iso_fortran_env, only : dp => real64, int64, qp => real128, sp => real32
    use furiko_bits_dp, only : infinity, is_finite, is_nan, nan
-   use furiko_double_word, only : double_word, operator(*)
+   use furiko_word_arithmetic_dp, only : words, operator(*)
    implicit none
    private
 #ifdef FURIKO_REAL128
@@ -17,4 +17,4 @@ module furiko_cli_number
    include 'furiko_cli_number_qp.inc'
 #endif
 end module furiko_cli_number
-! rooms: 3501820022
+! rooms: 2774760451

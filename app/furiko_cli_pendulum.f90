@@ -6,7 +6,7 @@ module furiko_cli_pendulum
    use furiko, only : motion, pendulum
    use furiko_cli_options, only : command_line, demand, option, word
    use furiko_cli_quantity, only : angle_of, is_below_half_turn, metres, no_unit, number_of, unit
-   use furiko_double_word, only : double_word
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    public :: length_option, gravity_option, start_options, pendulum_of, length_of, gravity_of, amplitude_of, &
@@ -28,7 +28,7 @@ contains
    function pendulum_of(line) result(body)
       type(command_line), intent(in) :: line
       type(pendulum) :: body
-      type(double_word) :: gravity, length
+      type(words) :: gravity, length
 
       length = length_of(line)
       gravity = gravity_of(line)
@@ -39,7 +39,7 @@ contains
 
    function length_of(line) result(length)
       type(command_line), intent(in) :: line
-      type(double_word) :: length
+      type(words) :: length
 
       length = moderate(line%value('--length'), metres, '1e-100 <= length <= 1e100 m')
    end function length_of
@@ -47,7 +47,7 @@ contains
 
    function gravity_of(line) result(gravity)
       type(command_line), intent(in) :: line
-      type(double_word) :: gravity
+      type(words) :: gravity
 
       gravity = moderate(line%value('--gravity'), no_unit, '1e-100 <= gravity <= 1e100 m/s^2')
    end function gravity_of
@@ -58,7 +58,7 @@ contains
       type(word), intent(in) :: given
       type(unit), intent(in) :: units(:)
       character(len=*), intent(in) :: range
-      type(double_word) :: number
+      type(words) :: number
 
       number = number_of(given, units)
       call demand(number%hi >= 1.0e-100_wp .and. number%hi <= 1.0e100_wp, given, range)
@@ -68,7 +68,7 @@ contains
    !> An amplitude in radians, within 0 to 180 degrees
    function amplitude_of(given) result(amplitude)
       type(word), intent(in) :: given
-      type(double_word) :: amplitude
+      type(words) :: amplitude
 
       amplitude = angle_of(given)
       call demand(amplitude%hi >= 0.0_wp .and. is_below_half_turn(amplitude), given, &
@@ -82,7 +82,7 @@ contains
       type(pendulum), intent(in) :: body
       type(motion) :: path
       character(len=11), parameter :: starts(3) = [character(len=11) :: '--amplitude', '--release', '--angle']
-      type(double_word) :: angle, rate
+      type(words) :: angle, rate
       integer :: i, which
 
       which = 0

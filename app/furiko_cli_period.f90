@@ -9,9 +9,9 @@ module furiko_cli_period
    use furiko_cli_pendulum, only : amplitude_of, gravity_of, gravity_option, length_of, length_option
    use furiko_cli_quantity, only : in_degrees, number_of, pure_number, whole_of
    use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places_of_words, sheet
-   use furiko_double_word, only : double_word, double_word_pi, sqrt, operator(+), operator(-), &
-      operator(*), operator(/)
    use furiko_period_degrees, only : period_ratio_degrees
+   use furiko_word_arithmetic_dp, only : words, pi_words, sqrt, operator(+), operator(-), &
+      operator(*), operator(/)
    implicit none
    private
    public :: period_usage, amplitude_usage, drift_usage
@@ -39,7 +39,7 @@ contains
          column('period_s', digits, 12, 15, 15), column('period_ratio', places_of_words, 15, width=19), &
          column('slower_percent', digits, 12, width=16), column('series', digits, 11, 12, 14)]
       type(sheet) :: page
-      type(double_word) :: amplitudes(size(line%operands)), row(5), small_period
+      type(words) :: amplitudes(size(line%operands)), row(5), small_period
       integer :: i, last, terms
 
       if (size(line%operands) == 0) call line%reject('name an amplitude, as 90deg or 1rad')
@@ -55,8 +55,8 @@ contains
          row(1) = in_degrees(amplitudes(i))
          row(3) = period_ratio_degrees(row(1))
          row(2) = small_period*row(3)
-         row(4) = double_word(100.0_wp)*excess_of(amplitudes(i))
-         row(5) = double_word(period_ratio_series(amplitudes(i)%hi, terms))
+         row(4) = 100.0_wp*excess_of(amplitudes(i))
+         row(5) = words(period_ratio_series(amplitudes(i)%hi, terms))
          call page%row(row(:last))
       end do
       call page%end()
@@ -67,19 +67,19 @@ contains
    !> 2 pi sqrt(l/g)
    function small_period_of(line) result(period)
       type(command_line), intent(in) :: line
-      type(double_word) :: period
+      type(words) :: period
 
-      period = double_word(2.0_wp)*double_word_pi*sqrt(length_of(line)/gravity_of(line))
+      period = 2.0_wp*pi_words*sqrt(length_of(line)/gravity_of(line))
    end function small_period_of
 
 
    !> By how much the period is above that of small swings: a double's worth of digits
    function excess_of(amplitude) result(excess)
-      type(double_word), intent(in) :: amplitude
-      type(double_word) :: excess
+      type(words), intent(in) :: amplitude
+      type(words) :: excess
 
-      excess = period_ratio_degrees(in_degrees(amplitude)) - double_word(1.0_wp)
-      if (excess%hi < 0.5_wp) excess = double_word(period_excess(amplitude%hi))
+      excess = period_ratio_degrees(in_degrees(amplitude)) - 1.0_wp
+      if (excess%hi < 0.5_wp) excess = words(period_excess(amplitude%hi))
    end function excess_of
 
 
@@ -98,13 +98,13 @@ contains
    subroutine amplitude_command(line)
       type(command_line), intent(in) :: line
       type(sheet) :: page
-      type(double_word) :: amplitude, slower, three_terms
+      type(words) :: amplitude, slower, three_terms
       type(word) :: form
 
       if (.not. line%given('--slower')) call line%reject('say how much, as --slower 3%')
       slower = part_of(line%value('--slower'))
-      amplitude = double_word(amplitude_of_excess(slower%hi))
-      three_terms = double_word(amplitude_three_terms(slower%hi))
+      amplitude = words(amplitude_of_excess(slower%hi))
+      three_terms = words(amplitude_three_terms(slower%hi))
       page = begin_sheet(line, [column('amplitude_deg', digits, 12), column('amplitude_rad', digits, 12), &
          column('three_terms_deg', digits, 12)])
       call page%row([in_degrees(amplitude), amplitude, in_degrees(three_terms)])
@@ -135,7 +135,7 @@ contains
    subroutine drift_command(line)
       type(command_line), intent(in) :: line
       type(sheet) :: page
-      type(double_word) :: amplitude, slower, swings, time
+      type(words) :: amplitude, slower, swings, time
 
       if (line%given('--amplitude') .eqv. line%given('--slower')) then
          call line%reject('one of --amplitude and --slower, as --amplitude 20deg or --slower 3%')
@@ -146,13 +146,13 @@ contains
          if (.not. slower%hi > 0.0_wp) call line%reject('--amplitude 0 never drifts; it has to be above 0')
       else
          slower = part_of(line%value('--slower'))
-         amplitude = double_word(amplitude_of_excess(slower%hi))
+         amplitude = words(amplitude_of_excess(slower%hi))
       end if
       swings = part_of(line%value('--off'))/slower
-      time = swings*(double_word(1.0_wp) + slower)*small_period_of(line)
+      time = swings*(1.0_wp + slower)*small_period_of(line)
       page = begin_sheet(line, [column('amplitude_deg', digits, 12), column('slower_percent', digits, 12), &
          column('swings', digits, 12), column('time_s', digits, 12)])
-      call page%row([in_degrees(amplitude), double_word(100.0_wp)*slower, swings, time])
+      call page%row([in_degrees(amplitude), 100.0_wp*slower, swings, time])
       call page%end()
       call finish()
    end subroutine drift_command
@@ -161,7 +161,7 @@ contains
    !> A part of a whole, above 0
    function part_of(given) result(part)
       type(word), intent(in) :: given
-      type(double_word) :: part
+      type(words) :: part
 
       part = number_of(given, pure_number)
       call demand(part%hi > 0.0_wp, given, 'part > 0')

@@ -8,7 +8,6 @@ module furiko_cli_plot
    use furiko_cli_number, only : read_whole
    use furiko_cli_options, only : command, command_line, option, word
    use furiko_cli_text, only : cut, suggestion
-   use furiko_double_word, only : double_word
    use furiko_figure, only : amplitude, figure
    use furiko_figure_accuracy, only : accuracy_figure
    use furiko_figure_converge, only : converge_figure
@@ -18,6 +17,7 @@ module furiko_cli_plot
    use furiko_figure_period, only : period_figure
    use furiko_figure_phase, only : phase_figure
    use furiko_gnuplot, only : begin_picture, draw, is_picture_name, picture
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    public :: plot_usage
@@ -204,7 +204,7 @@ contains
    function amplitude_of(text) result(self)
       character(len=*), intent(in) :: text
       type(amplitude) :: self
-      type(double_word) :: angle
+      type(words) :: angle
       integer :: last
 
       angle = angle_of(word('furiko plot: --amplitude', text))

@@ -4,12 +4,12 @@
 module furiko_cli_quantity
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_bits_dp, only : infinity
-   use furiko_cli_decimal, only : decimal, read_decimal, to_double_word
+   use furiko_cli_decimal, only : decimal, read_decimal, to_words
    use furiko_cli_io, only : refuse
    use furiko_cli_number, only : is_number, is_out_of_range, read_number, read_whole
    use furiko_cli_options, only : word
    use furiko_cli_text, only : replaced, whole_text
-   use furiko_double_word, only : double_word, double_word_pi, operator(+), operator(-), operator(*), &
+   use furiko_word_arithmetic_dp, only : words, pi_words, operator(+), operator(-), operator(*), &
       operator(/)
    implicit none
    private
@@ -38,7 +38,7 @@ contains
    !> An angle in radians: degrees where the word says nothing else.
    function angle_of(given) result(angle)
       type(word), intent(in) :: given
-      type(double_word) :: angle
+      type(words) :: angle
       character(len=:), allocatable :: text
       integer :: at_pi
       logical :: valid
@@ -53,7 +53,7 @@ contains
          call read_exactly(text, angle, valid)
       else
          call read_degrees(text, angle, valid)
-         angle = quotient(angle*double_word_pi, double_word(180.0_wp))
+         angle = quotient(angle*pi_words, words(180.0_wp))
       end if
       if (.not. valid) call refuse(given%what // " '" // given%text // &
          "' is not an angle (as 57.3, 57.3deg, 57°18', 1rad or pi/3)")
@@ -65,26 +65,27 @@ contains
    pure subroutine read_part_of_pi(front, back, angle, valid)
       character(len=*), intent(in) :: front
       character(len=*), intent(in) :: back
-      type(double_word), intent(out) :: angle
+      type(words), intent(out) :: angle
       logical, intent(out) :: valid
 
       call read_exactly(front // trim(merge('1', ' ', front == '' .or. front == '+' .or. front == '-')) // &
          back, angle, valid)
       valid = valid .and. (back == '' .or. index(back, '/') == 1 .and. index(front, '/') == 0)
-      angle = angle*double_word_pi
+      angle = angle*pi_words
    end subroutine read_part_of_pi
 
 
    !> Degrees, or degrees with minutes and seconds: 57.3, 57d18', 57d17'44.8", 30'
    pure subroutine read_degrees(text, degrees, valid)
       character(len=*), intent(in) :: text
-      type(double_word), intent(out) :: degrees
+      type(words), intent(out) :: degrees
       logical, intent(out) :: valid
       character(len=1), parameter :: marks(3) = ['d', "'", '"']
-      type(double_word) :: part
+      type(words) :: part
       character(len=:), allocatable :: rest
       integer :: i, mark
 
+      degrees = words(0.0_wp)
       rest = text // trim(merge('d', ' ', scan(text, 'd''"') == 0))
       valid = .true.
       do i = 1, 3
@@ -95,9 +96,9 @@ contains
          if (i > 1) valid = valid .and. abs(part%hi) < 60.0_wp
          if (.not. valid) return
          if (index(text, '-') == 1 .and. i > 1 .and. len(rest) < len(text)) then
-            part = double_word(0.0_wp) - part
+            part = -part
          end if
-         degrees = degrees + part/double_word(60.0_wp**(i - 1))
+         degrees = degrees + part/60.0_wp**(i - 1)
          rest = rest(mark + 1:)
       end do
       valid = rest == ''
@@ -106,20 +107,20 @@ contains
 
    !> Whether an angle is within pi on either side, to 30 digits
    pure function is_below_half_turn(angle) result(yes)
-      type(double_word), intent(in) :: angle
+      type(words), intent(in) :: angle
       logical :: yes
-      type(double_word) :: beyond
+      type(words) :: beyond
 
-      beyond = double_word(abs(angle%hi), sign(angle%lo, angle%hi*angle%lo)) - double_word_pi
+      beyond = words(abs(angle%hi), sign(angle%lo, angle%hi*angle%lo)) - pi_words
       yes = beyond%hi < 0.0_wp
    end function is_below_half_turn
 
 
    elemental function in_degrees(angle) result(degrees)
-      type(double_word), intent(in) :: angle
-      type(double_word) :: degrees
+      type(words), intent(in) :: angle
+      type(words) :: degrees
 
-      degrees = angle*double_word(180.0_wp)/double_word_pi
+      degrees = 180.0_wp*angle/pi_words
    end function in_degrees
 
 
@@ -128,7 +129,7 @@ contains
       type(word), intent(in) :: given
       !> The longer names first where one ends in another
       type(unit), intent(in) :: units(:)
-      type(double_word) :: number
+      type(words) :: number
       character(len=:), allocatable :: text
       logical :: valid
       integer :: i
@@ -140,7 +141,7 @@ contains
       if (i <= size(units)) text = text(:len(text) - len_trim(units(i)%name))
       call read_exactly(text, number, valid)
       if (.not. valid) call refuse(given%what // " '" // given%text // "' is not a number" // accepted(units))
-      if (i <= size(units)) number = quotient(number*double_word(units(i)%times), double_word(units(i)%per))
+      if (i <= size(units)) number = quotient(number*units(i)%times, words(units(i)%per))
       call demand_range(number, given)
    end function number_of
 
@@ -166,9 +167,9 @@ contains
    !> finite.
    pure subroutine read_exactly(text, x, valid)
       character(len=*), intent(in) :: text
-      type(double_word), intent(out) :: x
+      type(words), intent(out) :: x
       logical, intent(out) :: valid
-      type(double_word) :: y
+      type(words) :: y
       integer :: slash
 
       slash = index(text // '/', '/')
@@ -182,14 +183,15 @@ contains
 
    pure subroutine read_one(text, x, valid)
       character(len=*), intent(in) :: text
-      type(double_word), intent(out) :: x
+      type(words), intent(out) :: x
       logical, intent(out) :: valid
       type(decimal) :: number
       integer :: verdict
 
+      x = words(0.0_wp)
       call read_decimal(text, number, valid)
       if (valid) then
-         x = to_double_word(number)
+         x = to_words(number)
          return
       end if
       valid = is_number(text)
@@ -201,18 +203,18 @@ contains
 
    !> x/y, infinite where it would become zero
    elemental function quotient(x, y) result(z)
-      type(double_word), intent(in) :: x
-      type(double_word), intent(in) :: y
-      type(double_word) :: z
+      type(words), intent(in) :: x
+      type(words), intent(in) :: y
+      type(words) :: z
 
       z = x/y
-      if (abs(x%hi) > 0.0_wp .and. .not. abs(z%hi) > 0.0_wp) z = double_word(infinity)
+      if (abs(x%hi) > 0.0_wp .and. .not. abs(z%hi) > 0.0_wp) z = words(infinity)
    end function quotient
 
 
    !> Refuse what is not finite.
    subroutine demand_range(x, given)
-      type(double_word), intent(in) :: x
+      type(words), intent(in) :: x
       type(word), intent(in) :: given
 
       if (abs(x%hi) <= huge(x%hi)) return

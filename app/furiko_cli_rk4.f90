@@ -9,8 +9,8 @@ module furiko_cli_rk4
    use furiko_cli_pendulum, only : gravity_option, length_option, motion_of, pendulum_of, start_options
    use furiko_cli_quantity, only : no_unit, number_of, whole_of
    use furiko_cli_sheet, only : begin_sheet, column, format_option, places, powers, sheet
-   use furiko_double_word, only : double_word
    use furiko_pendulum_rates_dp, only : driven_pendulum_rates
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    public :: rk4_usage
@@ -95,7 +95,7 @@ contains
       integer, parameter :: most = 1000000000
       character(len=17), parameter :: forces(4) = [character(len=17) :: '--linear', '--quadratic', &
          '--drive', '--drive-frequency']
-      type(double_word) :: force
+      type(words) :: force
       type(word) :: method
       integer :: i, steps
 

@@ -7,7 +7,7 @@ module furiko_cli_sheet
    use furiko_cli_decimal, only : fixed
    use furiko_cli_number, only : scientific, significant
    use furiko_cli_options, only : command_line, option, word
-   use furiko_double_word, only : double_word
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    public :: column, whole, places, places_of_words, digits, powers, sheet, begin_sheet, format_option
@@ -88,7 +88,7 @@ contains
    !> Write a row, as many numbers as there are columns.
    subroutine row_of_words(self, numbers)
       class(sheet), intent(inout) :: self
-      type(double_word), intent(in) :: numbers(:)
+      type(words), intent(in) :: numbers(:)
       character(len=:), allocatable :: line
       integer :: i
 
@@ -112,11 +112,8 @@ contains
    subroutine row_of_reals(self, numbers)
       class(sheet), intent(inout) :: self
       real(wp), intent(in) :: numbers(:)
-      type(double_word) :: words(size(numbers))
 
-      words%hi = numbers
-      words%lo = 0.0_wp
-      call self%row(words)
+      call self%row(words(numbers))
    end subroutine row_of_reals
 
 
@@ -130,7 +127,7 @@ contains
    !> A number in csv or json, which has no infinity and no NaN
    pure function data_of(self, x, format) result(text)
       class(sheet), intent(in) :: self
-      type(double_word), intent(in) :: x
+      type(words), intent(in) :: x
       type(column), intent(in) :: format
       character(len=:), allocatable :: text
 
@@ -140,7 +137,7 @@ contains
 
 
    pure function written(x, format, least) result(text)
-      type(double_word), intent(in) :: x
+      type(words), intent(in) :: x
       type(column), intent(in) :: format
       integer, intent(in) :: least
       character(len=:), allocatable :: text

@@ -3,7 +3,7 @@
 !> `furiko table`: how the period of a pendulum grows with its amplitude.
 module furiko_cli_table
    use, intrinsic :: iso_fortran_env, only : int64
-   use furiko_cli_decimal, only : decimal, read_decimal, rescale, to_double_word
+   use furiko_cli_decimal, only : decimal, read_decimal, rescale, to_words
    use furiko_cli_io, only : finish, refuse
    use furiko_cli_options, only : command, command_line, demand, option, word
    use furiko_cli_sheet, only : begin_sheet, column, format_option, places_of_words, sheet
@@ -73,7 +73,7 @@ contains
       type(sheet), intent(inout) :: page
       type(decimal), intent(in) :: amplitude
 
-      call page%row([to_double_word(amplitude), period_ratio_degrees(to_double_word(amplitude))])
+      call page%row([to_words(amplitude), period_ratio_degrees(to_words(amplitude))])
    end subroutine put_row
 
 

@@ -4,9 +4,9 @@
 module furiko_figure_accuracy
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : ellipk_k, ellipk_m, ellipk_mc
-   use furiko_double_word, only : double_word, double_word_pi, operator(-), operator(*), operator(/)
    use furiko_figure, only : figure
    use furiko_period_degrees, only : period_ratio_degrees
+   use furiko_word_arithmetic_dp, only : words, pi_words, operator(-), operator(*), operator(/)
    implicit none
    private
    public :: accuracy_figure
@@ -66,16 +66,15 @@ contains
    function worst(power) result(errors)
       real(wp), intent(in) :: power
       real(wp) :: errors(3)
-      type(double_word) :: angle, k
+      type(words) :: angle, k
       real(wp) :: distance
       integer :: i
 
       errors = 0.0_wp
       do i = 1, per_bin
          distance = 10.0_wp**(power - (i - 0.5_wp)/(per_bin*bins_per_decade))
-         angle = double_word(distance)*double_word_pi/double_word(360.0_wp)
-         k = period_ratio_degrees(double_word(180.0_wp) - double_word(distance)) &
-            *double_word_pi/double_word(2.0_wp)
+         angle = distance*pi_words/360.0_wp
+         k = period_ratio_degrees(180.0_wp - words(distance))*pi_words/2.0_wp
          errors = max(errors, abs([ellipk_k(cos(angle%hi)), ellipk_m(1 - sin(angle%hi)**2), &
             ellipk_mc(sin(angle%hi)**2)] - k%hi - k%lo)/spacing(k%hi))
       end do

@@ -21,7 +21,6 @@ program main
    use test_complete_qp, only : collect_complete_qp => collect_complete
 #endif
    use test_complete_sp, only : collect_complete_sp => collect_complete
-   use test_double_word, only : collect_double_word
    use test_edges, only : collect_edges
    use test_eval, only : collect_eval
    use test_fgsl, only : collect_fgsl
@@ -74,6 +73,7 @@ program main
 #endif
    use test_special_sp, only : collect_special_sp => collect_special
    use test_table, only : collect_table
+   use test_word_arithmetic, only : collect_word_arithmetic
    use testdrive, only : error_type, get_argument, get_variable, new_testsuite, testsuite_type, &
       unittest_type
    implicit none
@@ -106,7 +106,7 @@ program main
       new_testsuite('plot', collect_plot), &
       new_testsuite('notes', collect_notes), &
       new_testsuite('animate', collect_animate), &
-      new_testsuite('double-word', collect_double_word), &
+      new_testsuite('word-arithmetic', collect_word_arithmetic), &
       new_testsuite('complete-real32', collect_complete_sp), &
       new_testsuite('complete-real64', collect_complete_dp), &
       new_testsuite('rounding', collect_rounding), &

@@ -10,8 +10,8 @@ module test_notes
    use furiko, only : agm_steps_k, amplitude_of_excess, amplitude_three_terms, ellipe_m, &
       ellipe_series_m, ellipk_k, ellipk_m, ellipk_series_m, ellipk_trapezoid_k, ellipse_perimeter, &
       ellipse_perimeter_series, pendulum_rk4, period_excess, period_ratio, period_ratio_series
-   use furiko_double_word, only : double_word
    use furiko_period_degrees, only : period_ratio_degrees
+   use furiko_word_arithmetic_dp, only : words
    use test_program, only : run_program
    use testdrive, only : check, error_type, new_unittest, unittest_type
    implicit none
@@ -82,11 +82,11 @@ contains
          '1.232229196737520', '1.295339998876550', '1.372880500618350', '1.469819325894477', &
          '1.594446101177228', '1.762203729503756', '2.007507401244124', '2.439362719673885', &
          '3.901065160389150']
-      type(double_word) :: ratio
+      type(words) :: ratio
       integer :: i
 
       do i = 1, size(rows)
-         ratio = period_ratio_degrees(double_word(real(rows(i), wp)))
+         ratio = period_ratio_degrees(words(real(rows(i), wp)))
          select case (rows(i))
          case (60)
             call check(error, as_text(ratio%hi, '(f17.15)'), '1.073182007149364')

@@ -6,7 +6,7 @@
 module test_number_rooms
    use, intrinsic :: iso_fortran_env, only : dp => real64, int64, qp => real128, sp => real32
    use furiko_bits_dp, only : infinity, is_finite, is_nan, nan
-   use furiko_double_word, only : double_word, operator(*)
+   use furiko_word_arithmetic_dp, only : words, operator(*)
    implicit none
    private
 #ifdef FURIKO_REAL128
@@ -23,7 +23,7 @@ end module test_number_rooms
 module test_number
    use, intrinsic :: iso_fortran_env, only : dp => real64, int32, int64, sp => real32
    use furiko_bits_dp, only : infinity, is_nan, nan
-   use furiko_double_word, only : double_word
+   use furiko_word_arithmetic_dp, only : words
    use test_number_rooms, only : is_no_number, is_out_of_range, is_right, read_number, scientific, &
       shortest, significant
    use testdrive, only : check, error_type, new_unittest, unittest_type
@@ -81,7 +81,7 @@ contains
       call read_number(trim(adjustl(buffer)), back, verdict)
       call check(error, verdict == is_right .and. same(back, x), buffer)
       if (allocated(error) .or. figure_count(text) < 2) return
-      call read_number(significant(double_word(x), figure_count(text) - 1), back, verdict)
+      call read_number(significant(words(x), figure_count(text) - 1), back, verdict)
       call check(error, .not. same(back, x), text // ' has a figure too many')
    end subroutine check_back
 
@@ -100,7 +100,7 @@ contains
       call check(error, verdict == is_right .and. same(real(back, dp), real(x, dp)) .and. &
          same(real(fortran, dp), real(x, dp)), text)
       if (allocated(error) .or. figure_count(text) < 2) return
-      call read_number(significant(double_word(real(x, dp)), figure_count(text) - 1), back, verdict)
+      call read_number(significant(words(real(x, dp)), figure_count(text) - 1), back, verdict)
       call check(error, .not. same(real(back, dp), real(x, dp)), text // ' has a figure too many')
    end subroutine check_single
 
@@ -319,39 +319,39 @@ contains
    !> One word and two, ties, carries, both ends of the range
    subroutine test_significant(error)
       type(error_type), allocatable, intent(out) :: error
-      type(double_word) :: third
+      type(words) :: third
       integer :: i
 
-      third = double_word(1.0_dp/3, 1.0_dp/3*2.0_dp**(-54))
+      third = words(1.0_dp/3, 1.0_dp/3*2.0_dp**(-54))
       do i = 1, 30
          call check(error, significant(third, i), '0.' // repeat('3', i))
          if (allocated(error)) return
       end do
-      call expect(double_word(0.125_dp), 2, '0.12')
-      call expect(double_word(0.375_dp), 2, '0.38')
-      call expect(double_word(0.125_dp, 1.0e-30_dp), 2, '0.13')
-      call expect(double_word(-0.375_dp, 1.0e-30_dp), 2, '-0.37')
-      call expect(double_word(99.96_dp), 3, '100')
-      call expect(double_word(999.6_dp), 3, '1.00e3')
-      call expect(double_word(1.0_dp, -1.0e-20_dp), 20, '0.99999999999999999999')
-      call expect(double_word(1.0_dp, -1.0e-40_dp), 30, '1.' // repeat('0', 29))
-      call expect(double_word(0.0_dp), 3, '0.00')
-      call expect(double_word(-0.0_dp), 1, '0')
-      call expect(double_word(-1.7e-157_dp), 2, '-1.7e-157')
-      call expect(double_word(huge(1.0_dp)), 30, '1.79769313486231570814527423732e308')
-      call expect(double_word(transfer(1_int64, 1.0_dp)), 25, '4.940656458412465441765688e-324')
-      call expect(double_word(-infinity), 5, '-inf')
-      call expect(double_word(nan), 5, 'nan')
+      call expect(words(0.125_dp), 2, '0.12')
+      call expect(words(0.375_dp), 2, '0.38')
+      call expect(words(0.125_dp, 1.0e-30_dp), 2, '0.13')
+      call expect(words(-0.375_dp, 1.0e-30_dp), 2, '-0.37')
+      call expect(words(99.96_dp), 3, '100')
+      call expect(words(999.6_dp), 3, '1.00e3')
+      call expect(words(1.0_dp, -1.0e-20_dp), 20, '0.99999999999999999999')
+      call expect(words(1.0_dp, -1.0e-40_dp), 30, '1.' // repeat('0', 29))
+      call expect(words(0.0_dp), 3, '0.00')
+      call expect(words(-0.0_dp), 1, '0')
+      call expect(words(-1.7e-157_dp), 2, '-1.7e-157')
+      call expect(words(huge(1.0_dp)), 30, '1.79769313486231570814527423732e308')
+      call expect(words(transfer(1_int64, 1.0_dp)), 25, '4.940656458412465441765688e-324')
+      call expect(words(-infinity), 5, '-inf')
+      call expect(words(nan), 5, 'nan')
       if (allocated(error)) return
-      call check(error, scientific(double_word(-0.068_dp), 1) // scientific(double_word(12.5_dp), 3) // &
-         scientific(double_word(0.0_dp), 3), '-7e-21.25e10.00')
+      call check(error, scientific(words(-0.068_dp), 1) // scientific(words(12.5_dp), 3) // &
+         scientific(words(0.0_dp), 3), '-7e-21.25e10.00')
 
 
    contains
 
 
       subroutine expect(x, count, text)
-         type(double_word), intent(in) :: x
+         type(words), intent(in) :: x
          integer, intent(in) :: count
          character(len=*), intent(in) :: text
 
@@ -361,4 +361,4 @@ contains
    end subroutine test_significant
 
 end module test_number
-! rooms: 3501820022
+! rooms: 2774760451

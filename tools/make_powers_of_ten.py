@@ -16,8 +16,8 @@ def words(x):
 
 def table(name, bounds, about, rows):
     """Lines of a Fortran array of word pairs"""
-    lines = [f"   !> {about}", f"   type(double_word), parameter :: {name}({bounds}) = [ &"]
-    lines += [f"      double_word({hi!r}_dp, {lo!r}_dp), &" for hi, lo in rows]
+    lines = [f"   !> {about}", f"   type(words), parameter :: {name}({bounds}) = [ &"]
+    lines += [f"      words({hi!r}_dp, {lo!r}_dp), &" for hi, lo in rows]
     return lines[:-1] + [lines[-1].replace("), &", ")]")]
 
 

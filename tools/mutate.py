@@ -283,7 +283,7 @@ TOPICS = [
     ("cli_period|cli_pendulum|cli_motion|cli_rk4|cli_sheet|cli_quantity", ["pendulum-cli"]),
     ("cli_animate", ["animate"]), ("plot|gnuplot|figure", ["plot"]), ("cli_classics|cli_digits", ["notes"]),
     ("cli_table|cli_decimal", ["table", "cli"]), ("app/", ["cli", "pendulum-cli"]),
-    ("complete|agm\\.|duplication", ["complete"]), ("double_word|word_arith|long", ["double-word", "table", "notes"]),
+    ("complete|agm\\.|duplication", ["complete"]), ("word_arith|long", ["word-arithmetic", "table", "notes"]),
     ("integrals|half_pi|arctan", ["incomplete", "edges", "complete"]),
     ("period|motion", ["motion", "pendulum-cli"]), ("nome|theta|zeta|parameters", ["nome", "jacobi"]),
     ("second_inverse", ["second-inverse"]), ("inverse", ["jacobi", "motion"]), ("functions", ["jacobi", "accuracy", "motion"]), ("classics", ["classics"]),

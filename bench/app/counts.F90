@@ -147,7 +147,7 @@ contains
          x = 0.9_wp*f
       case ('amplitude')
          x = 3*f
-      case ('kk')
+      case ('K')
          x = 1.5707964_wp + 5*f
       case ('ratio')
          x = 1 + 2*f

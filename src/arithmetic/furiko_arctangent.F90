@@ -8,6 +8,7 @@ module furiko_arctangent_sp
    use furiko_half_pi_sp, only : half_pi
    implicit none
    private
+   integer, parameter :: width = 8
    include 'furiko_arctangent.inc'
    include 'furiko_arctangent_sp.inc'
 #include "furiko_bits.inc"
@@ -20,6 +21,7 @@ module furiko_arctangent_dp
    use furiko_half_pi_dp, only : half_pi
    implicit none
    private
+   integer, parameter :: width = 8
    include 'furiko_arctangent.inc'
    include 'furiko_arctangent_dp.inc'
 #include "furiko_bits.inc"
@@ -35,4 +37,4 @@ module furiko_arctangent_qp
    include 'furiko_arctangent_plain.inc'
 end module furiko_arctangent_qp
 #endif
-! rooms: 2835102057
+! rooms: 3160264989

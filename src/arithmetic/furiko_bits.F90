@@ -39,4 +39,4 @@ module furiko_bits_qp
    include 'furiko_bits_qp.inc'
 end module furiko_bits_qp
 #endif
-! rooms: 652008054
+! rooms: 569044787

@@ -5,9 +5,9 @@
 module furiko_jacobi_dp
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_bits_dp, only : infinity, is_nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_dp, only : half_pi
    use furiko_modulus_dp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, steep, unscaled
-   use furiko_quotients_dp, only : by_k, by_m, by_mc
    use furiko_quotients_many_dp, only : lanes, quotients_many
    use furiko_quotients_one_dp, only : quotients_one
    implicit none
@@ -24,9 +24,9 @@ end module furiko_jacobi_dp
 module furiko_jacobi_sp
    use, intrinsic :: iso_fortran_env, only : real64, wp => real32
    use furiko_bits_sp, only : infinity, is_nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_jacobi_dp, only : double_amplitude => amplitude, double_evaluate => evaluate
    use furiko_modulus_sp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, steep, unscaled
-   use furiko_quotients_sp, only : by_k, by_m, by_mc
    use furiko_quotients_many_sp, only : lanes, quotients_many
    implicit none
    private
@@ -40,9 +40,9 @@ end module furiko_jacobi_sp
 module furiko_jacobi_qp
    use, intrinsic :: iso_fortran_env, only : int64, wp => real128
    use furiko_bits_qp, only : infinity, is_nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_qp, only : half_pi
    use furiko_modulus_qp, only : modulus, modulus_from_k, modulus_from_m, modulus_from_mc, steep, unscaled
-   use furiko_quotients_qp, only : by_k, by_m, by_mc
    use furiko_quotients_one_qp, only : quotients_one
    implicit none
    private
@@ -69,4 +69,4 @@ module furiko_jacobi
    public
    private :: amplitude, evaluate, split_amplitude
 end module furiko_jacobi
-! rooms: 3604142295
+! rooms: 137827486

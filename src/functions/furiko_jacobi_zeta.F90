@@ -5,11 +5,12 @@ module furiko_jacobi_zeta_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_fold_sp, only : fold
-   use furiko_duplication_sp, only : lanes, rj_of_roots
+   use furiko_duplication_sp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_sp, only : fold_one, phi_max
-   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
-   use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(*), operator(/), &
-      sqrt, scale, pi_words
+   use furiko_parameters_sp, only : parameters, outside
+   use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, pi_words
    implicit none
    private
    include 'furiko_jacobi_zeta.inc'
@@ -23,11 +24,12 @@ module furiko_jacobi_zeta_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_fold_dp, only : fold
-   use furiko_duplication_dp, only : lanes, rj_of_roots
+   use furiko_duplication_dp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_dp, only : fold_one, phi_max
-   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
-   use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(*), operator(/), &
-      sqrt, scale, pi_words
+   use furiko_parameters_dp, only : parameters, outside
+   use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, pi_words
    implicit none
    private
    include 'furiko_jacobi_zeta.inc'
@@ -42,11 +44,12 @@ module furiko_jacobi_zeta_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_nan, nan
    use furiko_fold_qp, only : fold
-   use furiko_duplication_qp, only : lanes, rj_of_roots
+   use furiko_duplication_qp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_qp, only : fold_one, phi_max
-   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
-   use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(*), operator(/), &
-      sqrt, scale, pi_words
+   use furiko_parameters_qp, only : parameters, outside
+   use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
+      operator(/), sqrt, scale, pi_words
    implicit none
    private
    include 'furiko_jacobi_zeta.inc'
@@ -66,4 +69,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 1422766056
+! rooms: 3956352750

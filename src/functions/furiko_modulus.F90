@@ -7,14 +7,17 @@ module furiko_modulus_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
    use furiko_arctangent_sp, only : arctangents
+   use furiko_arctangent_one_sp, only : arctangents_of_one => arctangents
    use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_sp, only : half_pi
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
-   use furiko_far_sp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_quotients_sp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_sp, only : quotients_of_one => quotients, quotients_of_rest
+   use furiko_quotients_lanes_sp, only : quotients_of_many => quotients
+   use furiko_far_sp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -30,14 +33,17 @@ module furiko_modulus_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
    use furiko_arctangent_dp, only : arctangents
+   use furiko_arctangent_one_dp, only : arctangents_of_one => arctangents
    use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_dp, only : half_pi
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
-   use furiko_far_dp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_quotients_dp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_dp, only : quotients_of_one => quotients, quotients_of_rest
+   use furiko_quotients_lanes_dp, only : quotients_of_many => quotients
+   use furiko_far_dp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -53,15 +59,17 @@ end module furiko_modulus_dp
 module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
-   use furiko_arctangent_qp, only : arctangents
+   use furiko_arctangent_qp, only : arctangents, arctangents_of_one => arctangents
    use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_qp, only : half_pi
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : lanes, least_bent, mean, quotients, thetas, thetas_of, &
-      triangle
-   use furiko_far_qp, only : by_k, by_k_of_complement, by_m, by_mc, far_quarters
+   use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_lane_qp, only : quotients_of_many => quotients, quotients_of_one => quotients, &
+      quotients_of_rest
+   use furiko_far_qp, only : far_quarters
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -88,4 +96,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 2133801947
+! rooms: 888653990

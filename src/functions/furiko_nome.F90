@@ -4,7 +4,8 @@
 module furiko_nome_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, is_nan, nan
-   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_forms, only : by_k, by_m, by_mc
+   use furiko_parameters_dp, only : parameters, outside
    use furiko_quotients_one_dp, only : half_log
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, pi_words
@@ -21,8 +22,9 @@ end module furiko_nome_dp
 module furiko_nome_sp
    use, intrinsic :: iso_fortran_env, only : real64, wp => real32
    use furiko_bits_sp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_nome_dp, only : double_nome => nome_of_pairs
-   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_sp, only : parameters, outside
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, pi_words
    implicit none
@@ -36,7 +38,8 @@ end module furiko_nome_sp
 module furiko_nome_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan, nan
-   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_forms, only : by_k, by_m, by_mc
+   use furiko_parameters_qp, only : parameters, outside
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), sqrt, log, scale, exponential, exp_minus_one, pi_words
    implicit none

@@ -5,9 +5,10 @@
 module furiko_quotients_many_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_sp, only : half_pi
-   use furiko_quotients_sp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      ln2_head, ln2_rest, per_ln2, sine
+   use furiko_quotients_sp, only : circular_terms, cosine, hyperbolic_terms, ln2_head, ln2_rest, &
+      per_ln2, sine
    implicit none
    private
    include '../arithmetic/furiko_log_two_sp.inc'
@@ -23,9 +24,10 @@ end module furiko_quotients_many_sp
 module furiko_quotients_many_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_dp, only : half_pi
-   use furiko_quotients_dp, only : by_k, by_m, by_mc, circular_terms, cosine, hyperbolic_terms, &
-      ln2_head, ln2_rest, per_ln2, sine
+   use furiko_quotients_dp, only : circular_terms, cosine, hyperbolic_terms, ln2_head, ln2_rest, &
+      per_ln2, sine
    implicit none
    private
    include '../arithmetic/furiko_log_two_dp.inc'
@@ -36,4 +38,4 @@ module furiko_quotients_many_dp
    include '../arithmetic/furiko_is_nan.inc'
    include '../arithmetic/furiko_power_of_two.inc'
 end module furiko_quotients_many_dp
-! rooms: 626240183
+! rooms: 2433818918

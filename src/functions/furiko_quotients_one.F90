@@ -4,9 +4,9 @@
 !> sn, cn and dn of one argument and its own modulus, in real64 and real128. Internal.
 module furiko_quotients_one_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_forms, only : by_k, by_m
    use furiko_half_pi_dp, only : half_pi
-   use furiko_quotients_dp, only : by_k, by_m, cosine, hyperbolic_terms, ln2_head, ln2_rest, mean, &
-      per_ln2, sine
+   use furiko_quotients_dp, only : cosine, hyperbolic_terms, ln2_head, ln2_rest, mean, per_ln2, sine
    implicit none
    private
    include '../arithmetic/furiko_log_two_dp.inc'
@@ -24,8 +24,8 @@ end module furiko_quotients_one_dp
 module furiko_quotients_one_qp
    use, intrinsic :: iso_fortran_env, only : int64, qp => real128, wp => real64
    use furiko_bits_qp, only : head, is_within, nearest_whole
+   use furiko_forms, only : by_m, by_mc
    use furiko_half_pi_dp, only : half_pi
-   use furiko_quotients_qp, only : by_m, by_mc
    implicit none
    private
    include 'furiko_landen.inc'

@@ -6,8 +6,9 @@ module furiko_second_inverse_sp
    use furiko_bits_sp, only : is_nan, nan
    use furiko_fold_sp, only : fold
    use furiko_duplication_sp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_sp, only : second_in_words
-   use furiko_parameters_sp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_sp, only : parameters, outside
    use furiko_word_arithmetic_sp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), scale, pi_words
    implicit none
@@ -21,8 +22,9 @@ module furiko_second_inverse_dp
    use furiko_bits_dp, only : is_nan, nan
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_dp, only : second_in_words
-   use furiko_parameters_dp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_dp, only : parameters, outside
    use furiko_word_arithmetic_dp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), scale, pi_words
    implicit none
@@ -37,8 +39,9 @@ module furiko_second_inverse_qp
    use furiko_bits_qp, only : is_nan, nan
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_qp, only : second_in_words
-   use furiko_parameters_qp, only : parameters, outside, by_k, by_m, by_mc
+   use furiko_parameters_qp, only : parameters, outside
    use furiko_word_arithmetic_qp, only : words, value, operator(+), operator(-), operator(*), &
       operator(/), scale, pi_words
    implicit none

@@ -45,4 +45,4 @@ module furiko_carlson
    implicit none
    public
 end module furiko_carlson
-! rooms: 2411971299
+! rooms: 3333345465

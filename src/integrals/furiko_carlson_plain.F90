@@ -14,6 +14,7 @@ module furiko_carlson_plain_sp
    private
    include 'furiko_carlson_plain.inc'
    include 'furiko_rc_series_sp.inc'
+   include 'furiko_rc_wide_sp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
 end module furiko_carlson_plain_sp
@@ -30,6 +31,7 @@ module furiko_carlson_plain_dp
    private
    include 'furiko_carlson_plain.inc'
    include 'furiko_rc_series_dp.inc'
+   include 'furiko_rc_wide_dp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
 end module furiko_carlson_plain_dp
@@ -47,10 +49,11 @@ module furiko_carlson_plain_qp
    public :: rf, rc, rd, rj, rg
    real(wp), parameter :: small = 2.0_wp**(-maxexponent(1.0_wp)/4)
    real(wp), parameter :: large = 2.0_wp**(maxexponent(1.0_wp)/4)
-   real(wp), parameter :: far = 2.0_wp**(-10)
+   real(wp), parameter :: far = 16.0_wp
 contains
    include 'furiko_carlson_one.inc'
    include 'furiko_rc_series_qp.inc'
+   include 'furiko_rc_wide_qp.inc'
 end module furiko_carlson_plain_qp
 #endif
-! rooms: 327003040
+! rooms: 3282471708

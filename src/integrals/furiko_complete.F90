@@ -27,12 +27,13 @@ module furiko_complete_rounded
    use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_sp
-   use furiko_double_word, only : double_word, double_word_pi, operator(+), operator(-), operator(*), &
-      operator(/), sqrt
+   use furiko_forms, only : by_k, by_m, by_alpha
+   use furiko_word_arithmetic_dp, only : words, operator(+), operator(-), operator(*), operator(/), sqrt, &
+      mean_with_one, pi_words
    implicit none
    private
    public :: complement_of_k, complement_of_m, complement_of_alpha, k_at, e_at, b_at, d_at, evaluate
-   public :: integral_k, integral_e, integral_b, integral_d, of_k, of_m, of_mc, of_alpha
+   public :: integral_k, integral_e, integral_b, integral_d
    include 'furiko_complete_choices.inc'
    include 'furiko_complete_rounded.inc'
    include 'furiko_complete_near.inc'
@@ -46,6 +47,7 @@ module furiko_complete_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, xp => real64
    ! allow(C121)
    use furiko_complete_rounded
+   use furiko_forms, only : by_k, by_m, by_mc, by_alpha
    implicit none
    private
    include 'furiko_complete.inc'
@@ -58,6 +60,7 @@ module furiko_complete_dp
    use furiko_bits_dp, only : infinity, nan
    ! allow(C121)
    use furiko_complete_coefficients_dp
+   use furiko_forms, only : by_k, by_m, by_mc, by_alpha
    implicit none
    private
    include 'furiko_complete_choices.inc'
@@ -74,6 +77,7 @@ end module furiko_complete_dp
 module furiko_complete_qp
    use furiko_bits_qp, only : infinity, is_nan, nan
    use, intrinsic :: iso_fortran_env, only : wp => real128, xp => real128
+   use furiko_forms, only : by_k, by_m, by_mc, by_alpha
    implicit none
    private
    include 'furiko_complete_choices.inc'
@@ -101,4 +105,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 2465115892
+! rooms: 1669061370

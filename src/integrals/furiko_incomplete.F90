@@ -3,8 +3,9 @@
 
 module furiko_incomplete_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_plain_sp, only : integral
-   use furiko_legendre_sp, only : first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_sp, only : first, second, second_d
    implicit none
    private
    include 'furiko_incomplete.inc'
@@ -13,8 +14,9 @@ end module furiko_incomplete_sp
 
 module furiko_incomplete_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_plain_dp, only : integral
-   use furiko_legendre_dp, only : first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_dp, only : first, second, second_d
    implicit none
    private
    include 'furiko_incomplete.inc'
@@ -24,8 +26,9 @@ end module furiko_incomplete_dp
 #ifdef FURIKO_REAL128
 module furiko_incomplete_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_qp, only : integral
-   use furiko_legendre_qp, only : first, second, second_d, by_k, by_m, by_mc
+   use furiko_legendre_qp, only : first, second, second_d
    implicit none
    private
    include 'furiko_incomplete.inc'

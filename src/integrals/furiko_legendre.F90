@@ -6,10 +6,10 @@ module furiko_legendre_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, nan
    use furiko_edges_dp, only : legendre_at_edge, legendre_far => legendre_at_edge, &
-      complete_third_far => complete_third_at_edge, &
-      first, second, second_d, third, by_k, by_m, by_mc
+      complete_third_far => complete_third_at_edge, first, second, second_d, third
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_legendre.inc'
@@ -22,9 +22,9 @@ end module furiko_legendre_dp
 module furiko_legendre_sp
    use, intrinsic :: iso_fortran_env, only : real64, wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, nan
-   use furiko_edges_sp, only : legendre_at_edge, &
-      first, second, second_d, third, by_k, by_m, by_mc
+   use furiko_edges_sp, only : legendre_at_edge, first, second, second_d, third
    use furiko_fold_sp, only : fold
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_dp, only : double_integral => integral_of_one, double_third => complete_third_of_one
    use furiko_duplication_sp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
    implicit none
@@ -42,13 +42,13 @@ module furiko_legendre_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_nan, nan
    use furiko_edges_qp, only : legendre_at_edge, legendre_far => legendre_at_edge, &
-      complete_third_far => complete_third_at_edge, &
-      first, second, second_d, third, by_k, by_m, by_mc
+      complete_third_far => complete_third_at_edge, first, second, second_d, third
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : lanes, rf_of_roots, rd_of_roots, rj_of_roots
+   use furiko_forms, only : by_k, by_m, by_mc
    implicit none
    private
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 811960523
+! rooms: 2778374717

@@ -7,15 +7,17 @@ module furiko_legendre_one_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_complete_sp, only : ellipk_k, ellipk_m, ellipk_mc, ellipe_k, ellipe_m, ellipe_mc, &
       ellipd_k, ellipd_m, ellipd_mc
+   use furiko_forms, only : by_k, by_m
    use furiko_half_pi_sp, only : half_pi
-   use furiko_legendre_sp, only : in_words => integral_of_one, complete_in_words => complete_third_of_one, &
-      first, second, second_d, third, by_k, by_m
+   use furiko_legendre_sp, only : in_words => integral_of_one, &
+      complete_in_words => complete_third_of_one, first, second, second_d, third
    implicit none
    private
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete.inc'
-   include 'furiko_quarter_sine_sp.inc'
+   include '../arithmetic/furiko_quarter_sine_sp.inc'
    include 'furiko_rc_series_sp.inc'
+   include 'furiko_rc_wide_sp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_within.inc'
@@ -28,15 +30,17 @@ module furiko_legendre_one_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_complete_dp, only : ellipk_k, ellipk_m, ellipk_mc, ellipe_k, ellipe_m, ellipe_mc, &
       ellipd_k, ellipd_m, ellipd_mc
+   use furiko_forms, only : by_k, by_m
    use furiko_half_pi_dp, only : half_pi
-   use furiko_legendre_dp, only : in_words => integral_of_one, complete_in_words => complete_third_of_one, &
-      first, second, second_d, third, by_k, by_m
+   use furiko_legendre_dp, only : in_words => integral_of_one, &
+      complete_in_words => complete_third_of_one, first, second, second_d, third
    implicit none
    private
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete.inc'
-   include 'furiko_quarter_sine_dp.inc'
+   include '../arithmetic/furiko_quarter_sine_dp.inc'
    include 'furiko_rc_series_dp.inc'
+   include 'furiko_rc_wide_dp.inc'
 #include "../arithmetic/furiko_bits.inc"
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_is_within.inc'
@@ -49,9 +53,10 @@ end module furiko_legendre_one_dp
 module furiko_legendre_one_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, is_within, nearest_whole, oddness
+   use furiko_forms, only : by_k, by_m
    use furiko_half_pi_qp, only : parts => half_pi
-   use furiko_legendre_qp, only : in_words => integral_of_one, complete_in_words => complete_third_of_one, &
-      first, second, second_d, third, by_k, by_m
+   use furiko_legendre_qp, only : in_words => integral_of_one, &
+      complete_in_words => complete_third_of_one, first, second, second_d, third
    implicit none
    private
    public :: integral
@@ -64,8 +69,9 @@ module furiko_legendre_one_qp
    include 'furiko_legendre_one.inc'
    include 'furiko_legendre_complete_qp.inc'
    include 'furiko_legendre_loop.inc'
-   include 'furiko_quarter_sine_qp.inc'
+   include '../arithmetic/furiko_quarter_sine_qp.inc'
    include 'furiko_rc_series_qp.inc'
+   include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 861911783
+! rooms: 803930590

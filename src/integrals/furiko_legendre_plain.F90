@@ -7,9 +7,10 @@ module furiko_legendre_plain_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity
    use furiko_duplication_plain_sp, only : lanes, width, plain_rf, plain_rd, plain_rfd, plain_rj
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_sp, only : half_pi
    use furiko_legendre_one_sp, only : integral_of_one, complete_third_of_one, complete
-   use furiko_legendre_sp, only : first, second, second_d, third, by_k, by_m, by_mc
+   use furiko_legendre_sp, only : first, second, second_d, third
    implicit none
    private
    include 'furiko_legendre_plain.inc'
@@ -17,7 +18,7 @@ module furiko_legendre_plain_sp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_oddness.inc'
-   include 'furiko_quarter_sine_sp.inc'
+   include '../arithmetic/furiko_quarter_sine_sp.inc'
 end module furiko_legendre_plain_sp
 
 
@@ -25,9 +26,10 @@ module furiko_legendre_plain_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity
    use furiko_duplication_plain_dp, only : lanes, width, plain_rf, plain_rd, plain_rfd, plain_rj
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_dp, only : half_pi
    use furiko_legendre_one_dp, only : integral_of_one, complete_third_of_one, complete
-   use furiko_legendre_dp, only : first, second, second_d, third, by_k, by_m, by_mc
+   use furiko_legendre_dp, only : first, second, second_d, third
    implicit none
    private
    include 'furiko_legendre_plain.inc'
@@ -35,6 +37,6 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_head.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
    include '../arithmetic/furiko_oddness.inc'
-   include 'furiko_quarter_sine_dp.inc'
+   include '../arithmetic/furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
 ! rooms: 3792542278

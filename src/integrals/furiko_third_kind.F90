@@ -3,8 +3,9 @@
 
 module furiko_third_kind_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_plain_sp, only : integral, complete_third
-   use furiko_legendre_sp, only : third, by_k, by_m, by_mc
+   use furiko_legendre_sp, only : third
    implicit none
    private
    include 'furiko_third_kind.inc'
@@ -13,8 +14,9 @@ end module furiko_third_kind_sp
 
 module furiko_third_kind_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_plain_dp, only : integral, complete_third
-   use furiko_legendre_dp, only : third, by_k, by_m, by_mc
+   use furiko_legendre_dp, only : third
    implicit none
    private
    include 'furiko_third_kind.inc'
@@ -24,8 +26,9 @@ end module furiko_third_kind_dp
 #ifdef FURIKO_REAL128
 module furiko_third_kind_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_qp, only : integral, complete_third => complete_third_of_one
-   use furiko_legendre_qp, only : third, by_k, by_m, by_mc
+   use furiko_legendre_qp, only : third
    implicit none
    private
    include 'furiko_third_kind.inc'

@@ -10,7 +10,7 @@ module furiko_period_sp
    use furiko_nome_sp, only : nome_ratio
    use furiko_parameter_of_k_sp, only : parameters_of_words
    use furiko_word_arithmetic_sp, only : words, value, sqrt, operator(+), operator(-), &
-      operator(*), operator(/), pi_words
+      operator(*), operator(/), mean_with_one, pi_words
    implicit none
    private
    include 'furiko_period.inc'
@@ -26,7 +26,7 @@ module furiko_period_dp
    use furiko_nome_dp, only : nome_ratio
    use furiko_parameter_of_k_dp, only : parameters_of_words
    use furiko_word_arithmetic_dp, only : words, value, sqrt, operator(+), operator(-), &
-      operator(*), operator(/), pi_words
+      operator(*), operator(/), mean_with_one, pi_words
    implicit none
    private
    include 'furiko_period.inc'
@@ -59,4 +59,4 @@ module furiko_period
    implicit none
    public
 end module furiko_period
-! rooms: 2377462028
+! rooms: 1392296487

@@ -3,8 +3,8 @@
 !> The period ratio of the printed table: the amplitude in degrees, 30 digits, every compiler.
 module furiko_period_degrees
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_double_word, only : double_word, double_word_pi, sqrt, sin, &
-      operator(+), operator(-), operator(*), operator(/)
+   use furiko_word_arithmetic_dp, only : words, sin, mean_with_one, operator(-), operator(*), operator(/), &
+      pi_words
    implicit none
    private
    public :: period_ratio_degrees
@@ -19,24 +19,13 @@ contains
    !> sine of half of it: all 30 digits hold at any distance from 180.
    elemental function period_ratio_degrees(amplitude) result(ratio)
       !> Largest angle from the vertical, degrees
-      type(double_word), intent(in) :: amplitude
+      type(words), intent(in) :: amplitude
       !> T/T_h
-      type(double_word) :: ratio
-      real(wp), parameter :: tolerance = epsilon(1.0_wp)
-      ! the exponent of the ratio, at most 2**11, halves (11 steps); then its digits double to 53 (6)
-      integer, parameter :: most_steps = 20
-      type(double_word) :: a, b, geometric
-      integer :: step
+      type(words) :: ratio
+      type(words) :: mean
 
-      a = double_word(1.0_wp)
-      b = sin((double_word(180.0_wp) - amplitude)*double_word_pi/double_word(360.0_wp))
-      do step = 1, most_steps
-         if (a%hi - b%hi <= tolerance*a%hi) exit
-         geometric = sqrt(a*b)
-         a = (a + b)/double_word(2.0_wp)
-         b = geometric
-      end do
-      ratio = double_word(2.0_wp)/(a + b)
+      call mean_with_one(sin((180.0_wp - amplitude)*pi_words/360.0_wp), mean)
+      ratio = 1.0_wp/mean
    end function period_ratio_degrees
 
 end module furiko_period_degrees
