@@ -46,4 +46,4 @@ module furiko_word_arithmetic_qp
    include 'furiko_word_arithmetic.inc'
 end module furiko_word_arithmetic_qp
 #endif
-! rooms: 444255337
+! rooms: 2530931970
