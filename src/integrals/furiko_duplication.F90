@@ -5,7 +5,7 @@
 !> arguments of Carlson's forms and the Legendre integrals that are out of the ordinary. Internal.
 module furiko_duplication_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
-   use furiko_word_arithmetic_sp, only : words, operator(+), operator(*), operator(/), sqrt
+   use furiko_word_arithmetic_sp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
@@ -16,7 +16,7 @@ end module furiko_duplication_sp
 
 module furiko_duplication_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
-   use furiko_word_arithmetic_dp, only : words, operator(+), operator(*), operator(/), sqrt
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
@@ -29,10 +29,10 @@ end module furiko_duplication_dp
 module furiko_duplication_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head
-   use furiko_word_arithmetic_qp, only : words, operator(+), operator(*), operator(/), sqrt
+   use furiko_word_arithmetic_qp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
 end module furiko_duplication_qp
 #endif
-! rooms: 1018719689
+! rooms: 3455488216
