@@ -46,4 +46,4 @@ module furiko_word_arithmetic_qp
    include 'furiko_word_arithmetic.inc'
 end module furiko_word_arithmetic_qp
 #endif
-! rooms: 4076226774
+! rooms: 2530931970

@@ -47,4 +47,4 @@ module furiko_series
    implicit none
    public
 end module furiko_series
-! rooms: 2394527448
+! rooms: 3607591966

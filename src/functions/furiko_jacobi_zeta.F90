@@ -5,7 +5,6 @@ module furiko_jacobi_zeta_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_fold_sp, only : fold
-   use furiko_duplication_sp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_sp, only : fold_one, phi_max
    use furiko_parameters_sp, only : parameters, outside
@@ -24,7 +23,6 @@ module furiko_jacobi_zeta_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_fold_dp, only : fold
-   use furiko_duplication_dp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_dp, only : fold_one, phi_max
    use furiko_parameters_dp, only : parameters, outside
@@ -44,7 +42,6 @@ module furiko_jacobi_zeta_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_nan, nan
    use furiko_fold_qp, only : fold
-   use furiko_duplication_qp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_one_qp, only : fold_one, phi_max
    use furiko_parameters_qp, only : parameters, outside
@@ -69,4 +66,4 @@ module furiko_jacobi_zeta
    implicit none
    public
 end module furiko_jacobi_zeta
-! rooms: 3956352750
+! rooms: 862726535

@@ -8,7 +8,7 @@ module furiko_modulus_sp
    use furiko_bits_sp, only : infinity, nan
    use furiko_arctangent_sp, only : arctangents
    use furiko_arctangent_one_sp, only : arctangents_of_one => arctangents
-   use furiko_duplication_sp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_duplication_sp, only : rd_of_roots
    use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_sp, only : half_pi
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -18,6 +18,7 @@ module furiko_modulus_sp
    use furiko_quotients_lane_sp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_sp, only : quotients_of_many => quotients
    use furiko_far_sp, only : far_quarters
+   use furiko_word_arithmetic_sp, only : word_pair => words
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -34,7 +35,7 @@ module furiko_modulus_dp
    use furiko_bits_dp, only : infinity, nan
    use furiko_arctangent_dp, only : arctangents
    use furiko_arctangent_one_dp, only : arctangents_of_one => arctangents
-   use furiko_duplication_dp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_duplication_dp, only : rd_of_roots
    use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_dp, only : half_pi
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -44,6 +45,7 @@ module furiko_modulus_dp
    use furiko_quotients_lane_dp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_dp, only : quotients_of_many => quotients
    use furiko_far_dp, only : far_quarters
+   use furiko_word_arithmetic_dp, only : word_pair => words
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -60,7 +62,7 @@ module furiko_modulus_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, nan, nearest_whole
    use furiko_arctangent_qp, only : arctangents, arctangents_of_one => arctangents
-   use furiko_duplication_qp, only : duplication_lanes => lanes, rd_of_roots
+   use furiko_duplication_qp, only : rd_of_roots
    use furiko_forms, only : by_k, by_m, by_mc, by_k_of_complement
    use furiko_half_pi_qp, only : half_pi
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
@@ -70,6 +72,7 @@ module furiko_modulus_qp
    use furiko_quotients_lane_qp, only : quotients_of_many => quotients, quotients_of_one => quotients, &
       quotients_of_rest
    use furiko_far_qp, only : far_quarters
+   use furiko_word_arithmetic_qp, only : word_pair => words
    implicit none
    private
    include 'furiko_modulus.inc'
@@ -96,4 +99,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 888653990
+! rooms: 1245776288

@@ -5,7 +5,6 @@ module furiko_second_inverse_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : is_nan, nan
    use furiko_fold_sp, only : fold
-   use furiko_duplication_sp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_sp, only : second_in_words
    use furiko_parameters_sp, only : parameters, outside
@@ -21,7 +20,6 @@ module furiko_second_inverse_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : is_nan, nan
    use furiko_fold_dp, only : fold
-   use furiko_duplication_dp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_dp, only : second_in_words
    use furiko_parameters_dp, only : parameters, outside
@@ -38,7 +36,6 @@ module furiko_second_inverse_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : is_nan, nan
    use furiko_fold_qp, only : fold
-   use furiko_duplication_qp, only : lanes
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_qp, only : second_in_words
    use furiko_parameters_qp, only : parameters, outside
@@ -62,4 +59,4 @@ module furiko_second_inverse
    implicit none
    public
 end module furiko_second_inverse
-! rooms: 1826431617
+! rooms: 2614545330

@@ -50,4 +50,4 @@ module furiko_theta
    implicit none
    public
 end module furiko_theta
-! rooms: 2428613147
+! rooms: 1386793096

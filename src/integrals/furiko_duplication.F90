@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Carlson's duplication in words (hi + lo) for blocks of lanes: behind what needs half an ulp (the pendulum,
-!> the inverses), and the arguments of Carlson's forms and the Legendre integrals that are out
-!> of the ordinary. Internal.
+!> Carlson's duplication in words: behind what needs half an ulp (the pendulum, the inverses), and the
+!> arguments of Carlson's forms and the Legendre integrals that are out of the ordinary. Internal.
 module furiko_duplication_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
+   use furiko_word_arithmetic_sp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
@@ -16,6 +16,7 @@ end module furiko_duplication_sp
 
 module furiko_duplication_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
+   use furiko_word_arithmetic_dp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
@@ -28,9 +29,10 @@ end module furiko_duplication_dp
 module furiko_duplication_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head
+   use furiko_word_arithmetic_qp, only : words
    implicit none
    private
    include 'furiko_duplication.inc'
 end module furiko_duplication_qp
 #endif
-! rooms: 3719368863
+! rooms: 2492776130

@@ -6,10 +6,11 @@ module furiko_motion_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_bits_sp, only : infinity, is_finite, is_nan, nan
    use furiko_arctangent_sp, only : arctangents
-   use furiko_duplication_sp, only : lanes, rf_of_roots
+   use furiko_duplication_sp, only : rf_of_roots
    use furiko_fold_sp, only : fold
    use furiko_half_pi_sp, only : half_pi
    use furiko_modulus_sp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
+   use furiko_word_arithmetic_sp, only : word_pair => words
    implicit none
    private
    include 'furiko_motion.inc'
@@ -23,10 +24,11 @@ module furiko_motion_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_bits_dp, only : infinity, is_finite, is_nan, nan
    use furiko_arctangent_dp, only : arctangents
-   use furiko_duplication_dp, only : lanes, rf_of_roots
+   use furiko_duplication_dp, only : rf_of_roots
    use furiko_fold_dp, only : fold
    use furiko_half_pi_dp, only : half_pi
    use furiko_modulus_dp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
+   use furiko_word_arithmetic_dp, only : word_pair => words
    implicit none
    private
    include 'furiko_motion.inc'
@@ -41,10 +43,11 @@ module furiko_motion_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, infinity, is_finite, is_nan, is_within, nan
    use furiko_arctangent_qp, only : arctangents
-   use furiko_duplication_qp, only : lanes, rf_of_roots
+   use furiko_duplication_qp, only : rf_of_roots
    use furiko_fold_qp, only : fold
    use furiko_half_pi_qp, only : half_pi
    use furiko_modulus_qp, only : amplitudes, modulus, modulus_from_sides, sine_cosine
+   use furiko_word_arithmetic_qp, only : word_pair => words
    implicit none
    private
    include 'furiko_motion.inc'
@@ -66,4 +69,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 180730549
+! rooms: 1547540289

@@ -5,7 +5,6 @@
 module furiko_period_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : is_nan, nan
-   use furiko_duplication_sp, only : lanes
    use furiko_fold_sp, only : fold
    use furiko_nome_sp, only : nome_ratio
    use furiko_parameter_of_k_sp, only : parameters_of_words
@@ -21,7 +20,6 @@ end module furiko_period_sp
 module furiko_period_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : is_nan, nan
-   use furiko_duplication_dp, only : lanes
    use furiko_fold_dp, only : fold
    use furiko_nome_dp, only : nome_ratio
    use furiko_parameter_of_k_dp, only : parameters_of_words
@@ -59,4 +57,4 @@ module furiko_period
    implicit none
    public
 end module furiko_period
-! rooms: 1392296487
+! rooms: 3533062193
