@@ -30,4 +30,4 @@ module furiko_long_qp
    include 'furiko_long.inc'
 end module furiko_long_qp
 #endif
-! rooms: 3567874769
+! rooms: 3578559237

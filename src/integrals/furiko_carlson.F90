@@ -3,21 +3,21 @@
 
 module furiko_carlson_sp
    use furiko_carlson_plain_sp, only : rf, rc, rd, rj, rg, &
-      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
+      rf_of_many, rc_of_many, rd_of_many, rj_of_many, rg_of_many
    implicit none
    private
    include 'furiko_carlson.inc'
-   include 'furiko_carlson_batches.inc'
+   include 'furiko_carlson_of_many.inc'
 end module furiko_carlson_sp
 
 
 module furiko_carlson_dp
    use furiko_carlson_plain_dp, only : rf, rc, rd, rj, rg, &
-      rf_batch, rc_batch, rd_batch, rj_batch, rg_batch
+      rf_of_many, rc_of_many, rd_of_many, rj_of_many, rg_of_many
    implicit none
    private
    include 'furiko_carlson.inc'
-   include 'furiko_carlson_batches.inc'
+   include 'furiko_carlson_of_many.inc'
 end module furiko_carlson_dp
 
 
@@ -45,4 +45,4 @@ module furiko_carlson
    implicit none
    public
 end module furiko_carlson
-! rooms: 3333345465
+! rooms: 3305853556

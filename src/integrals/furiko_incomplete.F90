@@ -48,4 +48,4 @@ module furiko_incomplete
    implicit none
    public
 end module furiko_incomplete
-! rooms: 2627161732
+! rooms: 2571437180
