@@ -5,8 +5,8 @@
 ifeq ($(origin FC),default)
 FC = gfortran
 endif
-FFLAGS = -O2
-PREFIX = /usr/local
+FFLAGS ?= -O2
+PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib
 BUILD = build/make
 KINDS = real32 real64 real128
@@ -33,8 +33,8 @@ endif
 about := $(shell $(FC) --version 2>&1)
 ifneq ($(findstring GNU Fortran,$(about)),)
 compiler = GNU-$(shell $(FC) -dumpfullversion)
-# What a C compiler has to link beside a static library
-private = -lgfortran -lquadmath -lm
+# What a C compiler has to link beside a static library; libquadmath is of some processors only
+private = -lgfortran $(if $(findstring /,$(shell $(FC) -print-file-name=libquadmath.a)),-lquadmath) -lm
 else ifneq ($(findstring flang,$(about)),)
 compiler = LLVMFlang-$(shell $(FC) -dumpversion)
 else
@@ -95,15 +95,19 @@ $(program) $(BUILD)/program/check.o: $(library)
 $(BUILD)/command: always
 	@command -v $(firstword $(FC)) >/dev/null || { echo 'no compiler $(FC); call make FC=...' >&2; exit 1; }
 	@mkdir -p $(BUILD)/program
-	@echo '$(compile)' | cmp -s - $@ || echo '$(compile)' >$@
+	@echo '$(compile)' | cmp -s - $@ || { rm -f $(BUILD)/*.mod $(BUILD)/program/*.mod; echo '$(compile)' >$@; }
 
 $(BUILD)/depend: src/order $(sources) $(app)
 	@mkdir -p $(BUILD)
 	@tools/dependencies '$$(BUILD)' $(sources) >$@
 	@tools/dependencies '$$(BUILD)/program' $(app) >>$@
 
-ifeq ($(filter help clean uninstall,$(MAKECMDGOALS)),)
+ifneq ($(filter-out help clean uninstall,$(or $(MAKECMDGOALS),all)),)
 -include $(BUILD)/depend
+endif
+# `make -j clean all`: one after the other
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
 endif
 
 # What is installed is written down, for `make uninstall`.
@@ -112,7 +116,7 @@ put = install -d "$(DESTDIR)$(2)" && install -m $(or $(3),644) $(1) "$(DESTDIR)$
 install: all
 	@touch $(BUILD)/installed
 	sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(LIBDIR)|; s|@modules@|$(MODULES)|' \
-	   -e 's|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
+	   -e 's|@includedir@|$(PREFIX)/include|; s|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
 	$(call put,$(BUILD)/libfuriko.a,$(LIBDIR))
 	$(if $(SHARED),$(call put,$(BUILD)/$(soname),$(LIBDIR),755))
 	$(if $(SHARED),ln -sf $(soname) "$(DESTDIR)$(LIBDIR)/libfuriko.so")

@@ -1753,7 +1753,7 @@ typedef struct furiko_modulus {
     double opaque[64];
 } furiko_modulus;
 
-/** sizeof(furiko_modulus) of the library; of another version's header it is another. */
+/** sizeof(furiko_modulus) of the library. Equal sizes are not equal versions: compare furiko_version(). */
 size_t furiko_modulus_size(void);
 
 /** Any finite number; infinity and NaN make a modulus that says NaN.
@@ -1770,7 +1770,7 @@ void furiko_modulus_from_mc(furiko_modulus *self, double mc);
 void furiko_modulus_from_alpha(furiko_modulus *self, double alpha);
 void furiko_modulus_from_amplitude(furiko_modulus *self, double amplitude);
 /** @} */
-/** The modulus of 1 - m; `complement` may be `self`. */
+/** The modulus of 1 - m */
 void furiko_modulus_complement(const furiko_modulus *self, furiko_modulus *complement);
 
 /** The modulus k (NaN for m < 0), the parameter m, 1 - m; K(m) and E(m) (NaN for m > 1); the real quarter period,
@@ -1802,7 +1802,7 @@ typedef struct furiko_motion {
     double opaque[96];
 } furiko_motion;
 
-/** sizeof(furiko_motion) of the library; of another version's header it is another. */
+/** sizeof(furiko_motion) of the library. Equal sizes are not equal versions: compare furiko_version(). */
 size_t furiko_motion_size(void);
 
 /** At rest at an angle at the time 0. */

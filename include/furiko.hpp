@@ -3,7 +3,8 @@
 /**
  * @file furiko.hpp
  * furiko.h for C++11 and later: one name for double, float and arrays, in the namespace furiko; nothing is allocated,
- * nothing is thrown. What the functions are and promise: furiko.h.
+ * nothing is thrown. What the functions are and promise: furiko.h. Arguments are all double or all float:
+ * agm(1.0, 2.0), not agm(1, 2), which a compiler calls ambiguous. std::modulus is something else.
  */
 #ifndef FURIKO_HPP
 #define FURIKO_HPP

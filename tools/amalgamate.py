@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The library in one file, to be copied into a program:
+"""The library in one file, to be copied into a Fortran program (what C calls is left out):
 
    python3 tools/amalgamate.py [--kinds KINDS] [--modules NAMES] [FILE]    writes FILE, furiko.F90
 
