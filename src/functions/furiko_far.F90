@@ -35,4 +35,4 @@ module furiko_far_qp
    include 'furiko_far.inc'
 end module furiko_far_qp
 #endif
-! rooms: 1862237014
+! rooms: 75574955
