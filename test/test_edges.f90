@@ -7,7 +7,8 @@ module test_edges
    use, intrinsic :: ieee_exceptions, only : ieee_all, ieee_get_flag, ieee_inexact, ieee_overflow, &
       ieee_set_flag, ieee_underflow, ieee_usual
    use furiko, only : agm, agm_steps_m, carlson_rc, carlson_rd, carlson_rj, ellipdinc_m, ellipeinc_m, &
-      ellipeinc_mc, ellipf_k, ellipf_m, ellipk_series_k, ellippi_mc, ellippiinc_m, period_ratio_series
+      ellipeinc_mc, ellipf_k, ellipf_m, ellipk_series_k, ellippi_mc, ellippiinc_m, &
+      modulus, modulus_from_m, period_ratio_series
    use testdrive, only : check, error_type, new_unittest, skip_test, unittest_type
    implicit none
    private
@@ -29,7 +30,8 @@ contains
          new_unittest('overflow-is-infinity', test_overflow), &
          new_unittest('subnormal', test_subnormal), &
          new_unittest('agm', test_agm), &
-         new_unittest('sums-of-many-terms', test_sums)]
+         new_unittest('sums-of-many-terms', test_sums), &
+         new_unittest('epsilon-above-1', test_epsilon)]
    end subroutine collect_edges
 
 
@@ -147,6 +149,20 @@ contains
       call agm_steps_m(0.9999999999840387_wp, a, b, c, k, e)
       call check(error, near_to([e(5)], [0.98742990701153088_wp]))
    end subroutine test_sums
+
+
+   !> Between F - D and E - (1 - 1/m) F, each of which cancels somewhere: 5.6 ulp by the first one here
+   subroutine test_epsilon(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), parameter :: u = 1.7935657516439865_wp, m = 1.2931188089670957_wp
+      real(wp), parameter :: right = 0.792692122936902347911356214808417576_wp
+      type(modulus) :: p
+
+      p = modulus_from_m(m)
+      call check(error, abs(p%epsilon(u) - right) <= 5*spacing(right))
+      if (allocated(error)) return
+      call check(error, all(abs(p%epsilon([u, u]) - right) <= 5*spacing(right)))
+   end subroutine test_epsilon
 
 
    !> Within an epsilon, which is at least half an ulp and the rounding of what is right
