@@ -7,7 +7,8 @@
 !> Internal.
 !>
 !> Relative errors of product, quotient and square root stay below 8 epsilon^2 (2^-101 in real64; of
-!> real128 2^-209, for its heads are cut unevenly), with and without FMA contraction. Next to the ends of the range words lose their second one.
+!> real128 2^-209, for its heads are cut unevenly), with and without FMA contraction. Next to the ends of
+!> the range words lose their second one.
 !>
 !> Source: Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks
 !> of double-word arithmetic, ACM TOMS 44 (2017) 15.
