@@ -164,7 +164,7 @@ def row(name, symbols, values):
     return f"{name} {len(symbols)} {len(results)} {' '.join(texts)}"
 
 
-catalogue = (HERE / "../../src/catalogue/furiko_catalogue.f90").read_text()
+catalogue = (HERE / "../../src/catalogue/furiko_catalogue_entries.inc").read_text()
 rows = []
 for name, symbols in re.findall(r"catalogue_entry\('(\w+)', '([\w ]+)'", catalogue):
     rows += [row(name, symbols.split(), values) for values in VALUES]
