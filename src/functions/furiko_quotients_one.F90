@@ -31,4 +31,4 @@ module furiko_quotients_one_qp
    include 'furiko_landen.inc'
 end module furiko_quotients_one_qp
 #endif
-! rooms: 2742443190
+! rooms: 2668014855
