@@ -14,7 +14,8 @@ module furiko_modulus_sp
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_sp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_sp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_sp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_sp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle, &
+      two_words_do
    use furiko_quotients_lane_sp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_sp, only : quotients_of_many => quotients
    use furiko_far_sp, only : far_quarters
@@ -41,7 +42,8 @@ module furiko_modulus_dp
    use furiko_nome_dp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_dp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_dp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_dp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_dp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle, &
+      two_words_do
    use furiko_quotients_lane_dp, only : quotients_of_one => quotients, quotients_of_rest
    use furiko_quotients_lanes_dp, only : quotients_of_many => quotients
    use furiko_far_dp, only : far_quarters
@@ -68,7 +70,8 @@ module furiko_modulus_qp
    use furiko_nome_qp, only : nome_k, nome_m, nome_mc, nome_of_pairs
    use furiko_complete_qp, only : ellipb_mc, ellipe_mc, ellipk_mc
    use furiko_incomplete_qp, only : ellipdinc_mc, ellipeinc_mc, ellipf_mc
-   use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle
+   use furiko_quotients_qp, only : is_hyperbolic, lanes, least_bent, mean, thetas, thetas_of, triangle, &
+      two_words_do
    use furiko_quotients_lane_qp, only : quotients_of_many => quotients, quotients_of_one => quotients, &
       quotients_of_rest
    use furiko_far_qp, only : far_quarters
@@ -99,4 +102,4 @@ module furiko_modulus
    public :: modulus_from_k, modulus_from_m, modulus_from_mc, modulus_from_alpha, &
       modulus_from_amplitude
 end module furiko_modulus
-! rooms: 691682741
+! rooms: 2594881749

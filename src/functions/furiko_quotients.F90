@@ -26,4 +26,4 @@ module furiko_quotients_qp
    include 'furiko_quotients.inc'
 end module furiko_quotients_qp
 #endif
-! rooms: 477799259
+! rooms: 187191109

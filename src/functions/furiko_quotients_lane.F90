@@ -6,7 +6,7 @@
 module furiko_quotients_lane_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_quotients_sp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
-      per_ln2, sine, terms, thetas
+      per_ln2, sine, terms, thetas, two_words_do
    implicit none
    private
    integer, parameter :: width = 1
@@ -23,7 +23,7 @@ end module furiko_quotients_lane_sp
 module furiko_quotients_lane_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_quotients_dp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
-      per_ln2, sine, terms, thetas
+      per_ln2, sine, terms, thetas, two_words_do
    implicit none
    private
    integer, parameter :: width = 1
@@ -42,7 +42,7 @@ module furiko_quotients_lane_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : head, nearest_whole, power_of_two, tame
    use furiko_quotients_qp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
-      per_ln2, sine, terms, thetas
+      per_ln2, sine, terms, thetas, two_words_do
    implicit none
    private
    integer, parameter :: width = 1
@@ -50,4 +50,4 @@ module furiko_quotients_lane_qp
    include '../arithmetic/furiko_quarter_sine_qp.inc'
 end module furiko_quotients_lane_qp
 #endif
-! rooms: 1916061548
+! rooms: 1606321855

@@ -5,7 +5,7 @@
 module furiko_quotients_lanes_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32, ip => int32
    use furiko_quotients_sp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
-      per_ln2, sine, terms, thetas
+      per_ln2, sine, terms, thetas, two_words_do
    implicit none
    private
    integer, parameter :: width = 8
@@ -22,7 +22,7 @@ end module furiko_quotients_lanes_sp
 module furiko_quotients_lanes_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64, ip => int64
    use furiko_quotients_dp, only : cosine, hyperbolic_terms, lanes, least_bent, ln2_head, ln2_rest, &
-      per_ln2, sine, terms, thetas
+      per_ln2, sine, terms, thetas, two_words_do
    implicit none
    private
    integer, parameter :: width = 8
@@ -34,4 +34,4 @@ module furiko_quotients_lanes_dp
    include '../arithmetic/furiko_power_of_two.inc'
    include '../arithmetic/furiko_tame.inc'
 end module furiko_quotients_lanes_dp
-! rooms: 528545650
+! rooms: 1445949451

@@ -35,4 +35,4 @@ module furiko_duplication_qp
    include 'furiko_duplication.inc'
 end module furiko_duplication_qp
 #endif
-! rooms: 2492776130
+! rooms: 1341111497
