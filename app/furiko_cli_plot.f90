@@ -63,6 +63,7 @@ contains
    subroutine plot_command(line)
       type(command_line), intent(in) :: line
       type(entry) :: chosen
+      ! no picture shows more
       integer, parameter :: most_bytes = 1000
       type(word) :: amplitudes, file, title
       integer :: extent(2)

@@ -20,6 +20,7 @@ module furiko_figure_energy
       'lines lw 2 dt (12, 4) lc rgb "#D55E00"', 'lines lw 2 dt (4, 3) lc rgb "#0072B2"']
    !> Sines in a step of each method
    integer, parameter :: sines_per_step(*) = [4, 1, 3]
+   !> Decades of swings, and in each the looks at the energy that are a point of a curve
    integer, parameter :: decades = 5
    integer, parameter :: looks_per_decade = 8
 
