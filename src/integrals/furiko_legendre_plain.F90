@@ -39,4 +39,4 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_oddness.inc'
    include '../arithmetic/furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
-! rooms: 4282816910
+! rooms: 2059000193
