@@ -1,0 +1,16 @@
+! SPDX-License-Identifier: MIT
+
+!> For Fortran 77: F, E, D, Pi and the inverse of E.
+! allow(C121)
+module furiko_f77_incomplete
+   use furiko_incomplete
+   use furiko_second_inverse
+   use furiko_third_kind
+   implicit none
+   public
+end module furiko_f77_incomplete
+
+
+include 'furiko_f77_incomplete.inc'
+include 'furiko_f77_incomplete_real.inc'
+! rooms: 1742381338
