@@ -426,6 +426,23 @@ void furiko_ellippiinc_mc_v(size_t count, const double n[], const double phi[], 
 void furiko_ellippiinc_mc_vf(size_t count, const float n[], const float phi[], const float mc[], float pi[]);
 /** @} */
 
+/* ---- Bulirsch's cel ---- */
+
+/** Bulirsch's general complete elliptic integral, of the complementary modulus kc, kc^2 = 1 - m.
+ *
+ * @param kc complementary modulus
+ * @param p 1 - n
+ * @param a weight of the squared cosine
+ * @param b weight of the squared sine
+ * @{ */
+double furiko_bulirsch_cel(double kc, double p, double a, double b);
+float furiko_bulirsch_celf(float kc, float p, float a, float b);
+void furiko_bulirsch_cel_v(size_t count, const double kc[], const double p[], const double a[],
+        const double b[], double f[]);
+void furiko_bulirsch_cel_vf(size_t count, const float kc[], const float p[], const float a[],
+        const float b[], float f[]);
+/** @} */
+
 /* ---- Carlson's integrals ---- */
 
 /** Carlson's integral of the first kind.

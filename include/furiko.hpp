@@ -439,6 +439,21 @@ inline void ellippiinc_mc(std::size_t count, const float n[], const float phi[],
 }
 /** @} */
 
+/* ---- Bulirsch's cel ---- */
+
+/** Bulirsch's general complete elliptic integral, of the complementary modulus kc, kc^2 = 1 - m. @{ */
+inline double bulirsch_cel(double kc, double p, double a, double b) { return furiko_bulirsch_cel(kc, p, a, b); }
+inline void bulirsch_cel(std::size_t count, const double kc[], const double p[], const double a[],
+        const double b[], double f[]) {
+    furiko_bulirsch_cel_v(count, kc, p, a, b, f);
+}
+inline float bulirsch_cel(float kc, float p, float a, float b) { return furiko_bulirsch_celf(kc, p, a, b); }
+inline void bulirsch_cel(std::size_t count, const float kc[], const float p[], const float a[],
+        const float b[], float f[]) {
+    furiko_bulirsch_cel_vf(count, kc, p, a, b, f);
+}
+/** @} */
+
 /* ---- Carlson's integrals ---- */
 
 /** Carlson's integral of the first kind. @{ */

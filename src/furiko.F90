@@ -12,6 +12,7 @@
 !>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipb_k]], [[ellipd_k]].
 !> - Incomplete integrals F, E, D: `ellipf_m(phi, m)`; see [[ellipf_k]], [[ellipeinc_k]], [[ellipdinc_k]].
 !> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]].
+!> - Bulirsch's `bulirsch_cel(kc, p, a, b)`, of which all complete integrals are cases; see [[bulirsch_cel]].
 !> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
 !> - Jacobi elliptic functions: `call jacobi_m(u, m, sn, cn, dn)`, `jacobi_sn_k(u, k)` and its eleven
 !>   sisters, the amplitude `jacobi_am_m`, the inverses `jacobi_arcsn_m(x, m)` ...; see [[jacobi_k]].
@@ -35,6 +36,7 @@ module furiko
    use furiko_complete
    use furiko_incomplete
    use furiko_third_kind
+   use furiko_cel
    use furiko_carlson
    use furiko_nome
    use furiko_theta

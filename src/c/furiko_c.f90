@@ -8,6 +8,8 @@ module furiko_c
    use furiko_c_agm_sp
    use furiko_c_carlson_dp
    use furiko_c_carlson_sp
+   use furiko_c_cel_dp
+   use furiko_c_cel_sp
    use furiko_c_complete_dp
    use furiko_c_complete_sp
    use furiko_c_ellipse_dp
