@@ -498,6 +498,54 @@ static void check_callback(void)
     check(system.calls == 16, "rk4 of no steps", "calls back");
 }
 
+static void acceleration(const double x[], double a[], void *context)
+{
+    struct system *system = context;
+    ++system->calls;
+    a[0] = -system->omega2*sin(x[0]);
+    a[1] = 1;
+}
+
+static void accelerationf(const float x[], float a[], void *context)
+{
+    struct system *system = context;
+    ++system->calls;
+    a[0] = -(float)system->omega2*sinf(x[0]);
+    a[1] = 1;
+}
+
+/* Beside the steps written out, and x'' = 1, which a Verlet step has exactly */
+static void check_symplectic(void)
+{
+    const double theta = 1/(2 - cbrt(2));
+    struct system system = {1, 0, 0};
+    int method, j;
+    for (method = 0; method < 2; ++method) {
+        double x[] = {GUARD, 1, 0, GUARD}, v[] = {GUARD, 0, 0, GUARD}, angle = 1, rate = 0;
+        float xf[] = {1, 0, (float)GUARD}, vf[] = {0, 0, (float)GUARD};
+        system.calls = 0;
+        for (j = 0; j < 4; ++j) {
+            if (method == 0) drift_kick(1, 1, 0.125, &angle, &rate);
+            if (method == 1) drift_kick(theta, 1, 0.125, &angle, &rate);
+            if (method == 1) drift_kick(1 - 2*theta, 1, 0.125, &angle, &rate);
+            if (method == 1) drift_kick(theta, 1, 0.125, &angle, &rate);
+        }
+        (method == 0 ? furiko_verlet : furiko_forest_ruth)(acceleration, &system, 2, 0.125, 4, x + 1, v + 1);
+        (method == 0 ? furiko_verletf : furiko_forest_ruthf)(accelerationf, &system, 2, 0.125f, 4, xf, vf);
+        check(system.calls == 8 + 16*method, "verlet, forest_ruth", "call back too often");
+        (method == 0 ? furiko_verlet : furiko_forest_ruth)(acceleration, &system, 2, 0.125, 0, x + 1, v + 1);
+        check(system.calls == 8 + 16*method, "verlet, forest_ruth", "call back for no steps");
+        check_near(x[1], angle, "verlet, forest_ruth");
+        check_near(v[1], rate, "verlet, forest_ruth");
+        check_near(x[2], 0.125, "verlet, forest_ruth of a constant");
+        check_near(v[2], 0.5, "verlet, forest_ruth of a constant");
+        check(x[0] == GUARD && x[3] == GUARD && v[0] == GUARD && v[3] == GUARD, "verlet, forest_ruth", "write beside an array");
+        check_nearf(xf[0], x[1], "verletf, forest_ruthf");
+        check_nearf(vf[0], v[1], "verletf, forest_ruthf");
+        check(xf[2] == (float)GUARD && vf[2] == (float)GUARD, "verletf, forest_ruthf", "write beside an array");
+    }
+}
+
 int main(int count, char **arguments)
 {
     check(count == 2, "main", "needs the path of names.dat");
@@ -509,6 +557,7 @@ int main(int count, char **arguments)
     check_motion();
     check_steps();
     check_callback();
+    check_symplectic();
     printf("%lu functions by name, %ld of %ld checks failed\n", (unsigned long)FUNCTIONS, faults, checks);
     return faults != 0 || checks < 3000000;
 }
