@@ -122,7 +122,7 @@ install: all
 	$(if $(SHARED),ln -sf $(soname) "$(DESTDIR)$(LIBDIR)/libfuriko.so")
 	$(if $(SHARED),echo "$(DESTDIR)$(LIBDIR)/libfuriko.so" >>$(BUILD)/installed)
 	$(call put,$(BUILD)/*.mod,$(MODULES))
-	$(call put,include/furiko.h include/furiko.hpp include/furiko_f77.inc,$(PREFIX)/include)
+	$(call put,include/furiko.h include/furiko.hpp include/furiko_gsl.h include/furiko_f77.inc,$(PREFIX)/include)
 	$(call put,$(BUILD)/furiko.pc,$(LIBDIR)/pkgconfig)
 	$(call put,LICENSE,$(PREFIX)/share/licenses/furiko)
 

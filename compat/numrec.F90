@@ -1,0 +1,106 @@
+! SPDX-License-Identifier: MIT
+
+! The elliptic functions of Numerical Recipes (Press, Teukolsky, Vetterling, Flannery: Numerical Recipes
+! in FORTRAN, second edition, section 6.11, and cel of the first edition, 6.7) under their names, computed
+! by furiko. To be compiled with a program in place of its own copies: REAL, or with -DNUMREC_DOUBLE in
+! DOUBLE PRECISION, as many programs have changed theirs.
+!
+! Otherwise than there: bad arguments give NaN, a pole infinity (there: PAUSE); arguments may be of any
+! size, phi any angle, m > 1 and mc < 0 what a real argument can give; numbers are right to 4 units in the
+! last place.
+
+#ifdef NUMREC_DOUBLE
+#define NUMBER double precision
+#else
+#define NUMBER real
+#endif
+
+!> R_F, x, y, z >= 0, at most one of them 0
+NUMBER function rf(x, y, z)
+   use furiko, only : carlson_rf
+   implicit none
+   NUMBER, intent(in) :: x, y, z
+
+   rf = carlson_rf(x, y, z)
+end function rf
+
+
+!> R_D, x, y >= 0, z > 0
+NUMBER function rd(x, y, z)
+   use furiko, only : carlson_rd
+   implicit none
+   NUMBER, intent(in) :: x, y, z
+
+   rd = carlson_rd(x, y, z)
+end function rd
+
+
+!> R_J, x, y, z >= 0; of p < 0 the principal value
+NUMBER function rj(x, y, z, p)
+   use furiko, only : carlson_rj
+   implicit none
+   NUMBER, intent(in) :: x, y, z, p
+
+   rj = carlson_rj(x, y, z, p)
+end function rj
+
+
+!> R_C, x >= 0; of y < 0 the principal value
+NUMBER function rc(x, y)
+   use furiko, only : carlson_rc
+   implicit none
+   NUMBER, intent(in) :: x, y
+
+   rc = carlson_rc(x, y)
+end function rc
+
+
+!> F(phi, k) of the modulus k = ak
+NUMBER function ellf(phi, ak)
+   use furiko, only : ellipf_k
+   implicit none
+   NUMBER, intent(in) :: phi, ak
+
+   ellf = ellipf_k(phi, ak)
+end function ellf
+
+
+!> E(phi, k) of the modulus k = ak
+NUMBER function elle(phi, ak)
+   use furiko, only : ellipeinc_k
+   implicit none
+   NUMBER, intent(in) :: phi, ak
+
+   elle = ellipeinc_k(phi, ak)
+end function elle
+
+
+!> Pi(phi, n, k) with 1 + n sin^2 below the line, n = en: DLMF's and furiko's n is -en
+NUMBER function ellpi(phi, en, ak)
+   use furiko, only : ellippiinc_k
+   implicit none
+   NUMBER, intent(in) :: phi, en, ak
+
+   ellpi = ellippiinc_k(-en, phi, ak)
+end function ellpi
+
+
+!> sn, cn, dn of uu and the complementary parameter emmc = 1 - k^2
+subroutine sncndn(uu, emmc, sn, cn, dn)
+   use furiko, only : jacobi_mc
+   implicit none
+   NUMBER, intent(in) :: uu, emmc
+   NUMBER, intent(out) :: sn, cn, dn
+
+   call jacobi_mc(uu, emmc, sn, cn, dn)
+end subroutine sncndn
+
+
+!> Bulirsch's cel(kc, p, a, b)
+NUMBER function cel(qqc, pp, aa, bb)
+   use furiko, only : bulirsch_cel
+   implicit none
+   NUMBER, intent(in) :: qqc, pp, aa, bb
+
+   cel = bulirsch_cel(qqc, pp, aa, bb)
+end function cel
