@@ -514,35 +514,33 @@ static void accelerationf(const float x[], float a[], void *context)
     a[1] = 1;
 }
 
-/* Beside the steps written out, and x'' = 1, which a Verlet step has exactly */
 static void check_symplectic(void)
 {
-    const double theta = 1/(2 - cbrt(2));
-    struct system system = {1, 0, 0};
-    int method, j;
+    struct system system = {1.5, 0, 0};
+    const double omega2 = 1.5;
+    double angle, rate;
+    int method;
     for (method = 0; method < 2; ++method) {
-        double x[] = {GUARD, 1, 0, GUARD}, v[] = {GUARD, 0, 0, GUARD}, angle = 1, rate = 0;
+        double x[] = {GUARD, 1, 0, GUARD}, v[] = {GUARD, 0, 0, GUARD};
         float xf[] = {1, 0, (float)GUARD}, vf[] = {0, 0, (float)GUARD};
+        angle = 1;
+        rate = 0;
         system.calls = 0;
-        for (j = 0; j < 4; ++j) {
-            if (method == 0) drift_kick(1, 1, 0.125, &angle, &rate);
-            if (method == 1) drift_kick(theta, 1, 0.125, &angle, &rate);
-            if (method == 1) drift_kick(1 - 2*theta, 1, 0.125, &angle, &rate);
-            if (method == 1) drift_kick(theta, 1, 0.125, &angle, &rate);
-        }
-        (method == 0 ? furiko_verlet : furiko_forest_ruth)(acceleration, &system, 2, 0.125, 4, x + 1, v + 1);
-        (method == 0 ? furiko_verletf : furiko_forest_ruthf)(accelerationf, &system, 2, 0.125f, 4, xf, vf);
-        check(system.calls == 8 + 16*method, "verlet, forest_ruth", "call back too often");
-        (method == 0 ? furiko_verlet : furiko_forest_ruth)(acceleration, &system, 2, 0.125, 0, x + 1, v + 1);
-        check(system.calls == 8 + 16*method, "verlet, forest_ruth", "call back for no steps");
-        check_near(x[1], angle, "verlet, forest_ruth");
-        check_near(v[1], rate, "verlet, forest_ruth");
-        check_near(x[2], 0.125, "verlet, forest_ruth of a constant");
-        check_near(v[2], 0.5, "verlet, forest_ruth of a constant");
-        check(x[0] == GUARD && x[3] == GUARD && v[0] == GUARD && v[3] == GUARD, "verlet, forest_ruth", "write beside an array");
-        check_nearf(xf[0], x[1], "verletf, forest_ruthf");
-        check_nearf(vf[0], v[1], "verletf, forest_ruthf");
-        check(xf[2] == (float)GUARD && vf[2] == (float)GUARD, "verletf, forest_ruthf", "write beside an array");
+        (method ? furiko_forest_ruth : furiko_verlet)(acceleration, &system, 2, 0.125, 4, x + 1, v + 1);
+        (method ? furiko_forest_ruthf : furiko_verletf)(accelerationf, &system, 2, 0.125f, 4, xf, vf);
+        (method ? furiko_pendulum_forest_ruth : furiko_pendulum_verlet)(1, &omega2, 0.125, 4, &angle, &rate);
+        check_near(x[1], angle, "verlet or forest_ruth");
+        check_near(v[1], rate, "verlet or forest_ruth");
+        /* A constant acceleration is exact. */
+        check_near(x[2], 0.125, "verlet or forest_ruth");
+        check_near(v[2], 0.5, "verlet or forest_ruth");
+        check_nearf(xf[0], angle, "verletf or forest_ruthf");
+        check_nearf(vf[0], rate, "verletf or forest_ruthf");
+        check(x[0] == GUARD && x[3] == GUARD && v[0] == GUARD && v[3] == GUARD && xf[2] == (float)GUARD &&
+            vf[2] == (float)GUARD, "verlet or forest_ruth", "writes beside an array");
+        check(system.calls == (method ? 24 : 8), "verlet or forest_ruth", "calls back too often");
+        (method ? furiko_forest_ruth : furiko_verlet)(acceleration, &system, 2, 0.125, 0, x + 1, v + 1);
+        check(system.calls == (method ? 24 : 8), "verlet or forest_ruth of no steps", "calls back");
     }
 }
 

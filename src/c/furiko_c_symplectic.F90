@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Verlet and Forest-Ruth steps of any system for C, in double; the text is in furiko_c_symplectic.inc.
+!> Symplectic steps of any system for C, in double; the text is in furiko_c_symplectic.inc.
 module furiko_c_symplectic_dp
    use, intrinsic :: iso_c_binding, only : c_f_procpointer, c_funptr, c_int, c_ptr, c_size_t, wp => c_double
    use furiko_symplectic_dp, only : forest_ruth, verlet
@@ -11,4 +11,4 @@ module furiko_c_symplectic_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_symplectic.inc'
 end module furiko_c_symplectic_dp
-! rooms: 2584324711
+! rooms: 4174673516

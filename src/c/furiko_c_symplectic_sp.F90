@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Verlet and Forest-Ruth steps of any system for C, in float; the text is in furiko_c_symplectic.inc. A file of its own since
+!> Symplectic steps of any system for C, in float; the text is in furiko_c_symplectic.inc. A file of its own since
 !> gfortran takes the interfaces of two kinds in one file for one.
 module furiko_c_symplectic_sp
    use, intrinsic :: iso_c_binding, only : c_f_procpointer, c_funptr, c_int, c_ptr, c_size_t, wp => c_float
@@ -12,4 +12,4 @@ module furiko_c_symplectic_sp
    character(len=*), parameter :: suffix = 'f'
    include 'furiko_c_symplectic.inc'
 end module furiko_c_symplectic_sp
-! rooms: 2584324711
+! rooms: 4174673516
