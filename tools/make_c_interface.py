@@ -42,8 +42,10 @@ SYMBOLS = {"K": "big_k", "T/T_h": "ratio", "M": "mean", "Pi": "pi"}
 HEADINGS = {
     "agm": "Arithmetic-geometric mean",
     "complete": "Complete integrals K, E, B, D",
+    "ellips": "The complete integral S",
     "incomplete": "Incomplete integrals F, E, D",
     "third_kind": "The third kind",
+    "ellipj": "The associate integral of the third kind",
     "cel": "Bulirsch's cel",
     "carlson": "Carlson's integrals",
     "nome": "The nome",

@@ -21,7 +21,7 @@ WRITTEN = "Written by tools/make_f77.py."
 STEMS = {
     "complete": {"agm": "AGM", "ellipk": "K", "ellipe": "E", "ellipb": "B", "ellipd": "D", "ellipke": "KE"},
     "incomplete": {"ellipf": "F", "ellipeinc": "EI", "ellipdinc": "DI", "ellippi": "P", "ellippiinc": "PI",
-                   "ellipeinc_inverse": "IE"},
+                   "ellipeinc_inverse": "IE", "ellips": "DB", "ellipj": "J", "ellipjinc": "JI"},
     "carlson": {"carlson_rf": "RF", "carlson_rc": "RC", "carlson_rd": "RD", "carlson_rj": "RJ", "carlson_rg": "RG",
                 "bulirsch_cel": "CEL"},
     "jacobi": {"jacobi_k": "JAC", "jacobi_m": "JCM", "jacobi_mc": "JCC", "jacobi_am": "AM", "jacobi_epsilon": "EP",

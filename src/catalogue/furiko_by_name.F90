@@ -47,4 +47,4 @@ module furiko_by_name
    implicit none
    public
 end module furiko_by_name
-! rooms: 736222865
+! rooms: 1258907489

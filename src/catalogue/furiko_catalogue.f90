@@ -66,4 +66,4 @@ contains
    end function word_count
 
 end module furiko_catalogue
-! rooms: 3941023560
+! rooms: 4217388371

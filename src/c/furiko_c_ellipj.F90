@@ -1,0 +1,28 @@
+! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
+
+!> The integrals J for C, in float; the text is in furiko_c_ellipj.inc.
+module furiko_c_ellipj_sp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
+   ! allow(C121)
+   use furiko_ellipj ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = 'f'
+   include 'furiko_c_ellipj.inc'
+end module furiko_c_ellipj_sp
+
+
+!> The integrals J for C, in double; the text is in furiko_c_ellipj.inc.
+module furiko_c_ellipj_dp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
+   ! allow(C121)
+   use furiko_ellipj ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = ''
+   include 'furiko_c_ellipj.inc'
+end module furiko_c_ellipj_dp
+! rooms: 3304454296
