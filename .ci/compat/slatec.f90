@@ -32,6 +32,8 @@ program slatec
    call near('rj', rj(2.0, 3.0, 4.0, 5.0, ier), 0.14297579667156753833d0, 4.0d-8)
    call near('0 for an error', drf(-1.0d0, 2*most/3, 0.0d0, ier), 0.0d0, 0.0d0)
    call equal('1 before 3', ier, 1)
+   a = drf(0.0d0, 0.0d0, most, ier)
+   call equal('3 before 2', ier, 3)
    a = drc(1.0d0, 0.0d0, ier)
    call equal('drc: y = 0', ier, 1)
    call limits('drc', 5*least, most/5)
