@@ -6,7 +6,7 @@ module checks
    implicit none
    private
    public :: equal, finish, near
-   integer, save :: wrong = 0, all = 0
+   integer :: wrong = 0, all = 0
 
    interface near
       procedure near_sp, near_dp

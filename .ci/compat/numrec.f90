@@ -3,20 +3,14 @@
 !> compat/numrec.F90, REAL or by -DNUMREC_DOUBLE in DOUBLE PRECISION, against published numbers: Carlson,
 !> Numer. Algorithms 10 (1995) 13, section 3; Zhang and Jin (1996), tables of ELIT; NAG's S21CAF, program
 !> results; Bulirsch, Numer. Math. 13 (1969) 305.
-#ifdef NUMREC_DOUBLE
-#define NUMBER double precision
-#else
-#define NUMBER real
-#endif
 program numrec
    use checks, only : finish, near
+   use compat_numrec, only : wp
    implicit none
-   ! An error in the last of 13 digits, or of the kind
-   NUMBER, parameter :: one = 1
-   integer, parameter :: wp = kind(one)
+   ! In the last of 13 digits, or of the kind
    double precision, parameter :: e = max(1.0d-13, 8*dble(epsilon(1.0_wp)))
-   NUMBER, external :: cel, elle, ellf, ellpi, rc, rd, rf, rj
-   NUMBER :: sn, cn, dn
+   real(wp), external :: cel, elle, ellf, ellpi, rc, rd, rf, rj
+   real(wp) :: sn, cn, dn
 
    call near('rf', rf(1.0_wp, 2.0_wp, 0.0_wp), 1.3110287771461d0, e)
    call near('rf', rf(2.0_wp, 3.0_wp, 4.0_wp), 0.58408284167715d0, e)
