@@ -53,4 +53,4 @@ module furiko_cel
    implicit none
    public
 end module furiko_cel
-! rooms: 2191948162
+! rooms: 1566101291
