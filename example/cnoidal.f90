@@ -7,13 +7,13 @@ program cnoidal
    use furiko, only : ellipke_mc, jacobi_cn_mc
    implicit none
    real(wp), parameter :: depth = 5.0_wp, height = 1.0_wp, mc = 1.0e-3_wp, m = 1 - mc, g = 9.80665_wp
-   real(wp) :: k, e, length, trough
+   real(wp) :: k, e, trough
    integer :: i
 
    call ellipke_mc(mc, k, e)
-   length = depth*sqrt(16*m*depth/(3*height))*k
    trough = height/m*(mc - e/k)
-   print '(3f14.9)', length, sqrt(g*depth)*(1 + height/(m*depth)*(1 - m/2 - 1.5_wp*e/k)), trough
+   print '(3f14.9)', depth*sqrt(16*m*depth/(3*height))*k, &
+      sqrt(g*depth)*(1 + height/(m*depth)*(1 - m/2 - 1.5_wp*e/k)), trough
    ! => 124.934990840 7.268706712 -0.206217858
    print '(5f14.9)', trough + height*jacobi_cn_mc(k*[(0.25_wp*i, i=0, 4)], mc)**2
    ! => 0.793782142 0.093409226 -0.175564428 -0.203885827 -0.206217858
