@@ -461,7 +461,7 @@ void furiko_ellippiinc_mc_vf(size_t count, const float n[], const float phi[], c
 
 /* ---- The associate integral of the third kind ---- */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n.
+/** Associate complete integral J = (Pi - K)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param k modulus, m = k^2
@@ -472,7 +472,7 @@ void furiko_ellipj_k_v(size_t count, const double n[], const double k[], double 
 void furiko_ellipj_k_vf(size_t count, const float n[], const float k[], float j[]);
 /** @} */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n.
+/** Associate complete integral J = (Pi - K)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param m parameter, m = k^2
@@ -483,7 +483,7 @@ void furiko_ellipj_m_v(size_t count, const double n[], const double m[], double 
 void furiko_ellipj_m_vf(size_t count, const float n[], const float m[], float j[]);
 /** @} */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n.
+/** Associate complete integral J = (Pi - K)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param mc complementary parameter 1 - m
@@ -494,7 +494,7 @@ void furiko_ellipj_mc_v(size_t count, const double n[], const double mc[], doubl
 void furiko_ellipj_mc_vf(size_t count, const float n[], const float mc[], float j[]);
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n.
+/** Associate incomplete integral J = (Pi - F)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param phi angle in radians
@@ -506,7 +506,7 @@ void furiko_ellipjinc_k_v(size_t count, const double n[], const double phi[], co
 void furiko_ellipjinc_k_vf(size_t count, const float n[], const float phi[], const float k[], float j[]);
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n.
+/** Associate incomplete integral J = (Pi - F)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param phi angle in radians
@@ -518,7 +518,7 @@ void furiko_ellipjinc_m_v(size_t count, const double n[], const double phi[], co
 void furiko_ellipjinc_m_vf(size_t count, const float n[], const float phi[], const float m[], float j[]);
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n.
+/** Associate incomplete integral J = (Pi - F)/n.
  *
  * @param n characteristic, in DLMF's sign
  * @param phi angle in radians
@@ -532,7 +532,7 @@ void furiko_ellipjinc_mc_vf(size_t count, const float n[], const float phi[], co
 
 /* ---- Bulirsch's cel ---- */
 
-/** Bulirsch's general complete elliptic integral, of the complementary modulus kc, kc^2 = 1 - m.
+/** Bulirsch's general complete elliptic integral.
  *
  * @param kc complementary modulus
  * @param p 1 - n

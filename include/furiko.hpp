@@ -476,7 +476,7 @@ inline void ellippiinc_mc(std::size_t count, const float n[], const float phi[],
 
 /* ---- The associate integral of the third kind ---- */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n. @{ */
+/** Associate complete integral J = (Pi - K)/n. @{ */
 inline double ellipj_k(double n, double k) { return furiko_ellipj_k(n, k); }
 inline void ellipj_k(std::size_t count, const double n[], const double k[], double j[]) {
     furiko_ellipj_k_v(count, n, k, j);
@@ -487,7 +487,7 @@ inline void ellipj_k(std::size_t count, const float n[], const float k[], float 
 }
 /** @} */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n. @{ */
+/** Associate complete integral J = (Pi - K)/n. @{ */
 inline double ellipj_m(double n, double m) { return furiko_ellipj_m(n, m); }
 inline void ellipj_m(std::size_t count, const double n[], const double m[], double j[]) {
     furiko_ellipj_m_v(count, n, m, j);
@@ -498,7 +498,7 @@ inline void ellipj_m(std::size_t count, const float n[], const float m[], float 
 }
 /** @} */
 
-/** Associate complete elliptic integral of the third kind J = (Pi - K)/n. @{ */
+/** Associate complete integral J = (Pi - K)/n. @{ */
 inline double ellipj_mc(double n, double mc) { return furiko_ellipj_mc(n, mc); }
 inline void ellipj_mc(std::size_t count, const double n[], const double mc[], double j[]) {
     furiko_ellipj_mc_v(count, n, mc, j);
@@ -509,7 +509,7 @@ inline void ellipj_mc(std::size_t count, const float n[], const float mc[], floa
 }
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n. @{ */
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
 inline double ellipjinc_k(double n, double phi, double k) { return furiko_ellipjinc_k(n, phi, k); }
 inline void ellipjinc_k(std::size_t count, const double n[], const double phi[], const double k[],
         double j[]) {
@@ -521,7 +521,7 @@ inline void ellipjinc_k(std::size_t count, const float n[], const float phi[], c
 }
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n. @{ */
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
 inline double ellipjinc_m(double n, double phi, double m) { return furiko_ellipjinc_m(n, phi, m); }
 inline void ellipjinc_m(std::size_t count, const double n[], const double phi[], const double m[],
         double j[]) {
@@ -533,7 +533,7 @@ inline void ellipjinc_m(std::size_t count, const float n[], const float phi[], c
 }
 /** @} */
 
-/** Associate incomplete elliptic integral of the third kind J = (Pi - F)/n. @{ */
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
 inline double ellipjinc_mc(double n, double phi, double mc) { return furiko_ellipjinc_mc(n, phi, mc); }
 inline void ellipjinc_mc(std::size_t count, const double n[], const double phi[], const double mc[],
         double j[]) {
@@ -547,7 +547,7 @@ inline void ellipjinc_mc(std::size_t count, const float n[], const float phi[], 
 
 /* ---- Bulirsch's cel ---- */
 
-/** Bulirsch's general complete elliptic integral, of the complementary modulus kc, kc^2 = 1 - m. @{ */
+/** Bulirsch's general complete elliptic integral. @{ */
 inline double bulirsch_cel(double kc, double p, double a, double b) { return furiko_bulirsch_cel(kc, p, a, b); }
 inline void bulirsch_cel(std::size_t count, const double kc[], const double p[], const double a[],
         const double b[], double f[]) {

@@ -12,4 +12,4 @@ end module furiko_f77_carlson
 
 include 'furiko_f77_carlson.inc'
 include 'furiko_f77_carlson_real.inc'
-! rooms: 3276898209
+! rooms: 1261720640

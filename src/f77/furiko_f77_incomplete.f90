@@ -15,4 +15,4 @@ end module furiko_f77_incomplete
 
 include 'furiko_f77_incomplete.inc'
 include 'furiko_f77_incomplete_real.inc'
-! rooms: 2591198857
+! rooms: 1771991253
