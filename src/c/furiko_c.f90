@@ -39,6 +39,8 @@ module furiko_c
    use furiko_c_selftest
    use furiko_c_series_dp
    use furiko_c_series_sp
+   use furiko_c_symplectic_dp
+   use furiko_c_symplectic_sp
    use furiko_c_theta_dp
    use furiko_c_theta_sp
    use furiko_c_third_kind_dp
