@@ -8,7 +8,6 @@ from importlib.resources import files
 from ._version import __version__
 
 
-
 def _path() -> str:
     """Of the library beside this file, or of another that is asked for"""
     if asked := os.environ.get("FURIKO_LIBRARY"):
@@ -26,12 +25,8 @@ def _load(loader: type) -> ctypes.CDLL:
         raise ImportError(f"furiko: {error}") from None
 
 
-# Calls of `library` let other threads of Python run meanwhile; for a single number that takes longer than to compute it.
+# Calls of `library` let other threads of Python run meanwhile; for one number that takes longer than to compute it.
 library, quick_library = _load(ctypes.CDLL), _load(ctypes.PyDLL)
-_major, _minor, _patch = map(int, __version__.split("."))
-try:
-    _found = library.furiko_version()
-except AttributeError:
-    _found = None
-if _found != 10000 * _major + 100 * _minor + _patch:
+_number = library.furiko_version() if hasattr(library, "furiko_version") else 0
+if f"{_number // 10000}.{_number // 100 % 100}.{_number % 100}" != __version__:
     raise ImportError(f"furiko: {_path()} is not the library of furiko {__version__}")

@@ -1,39 +1,21 @@
 # SPDX-License-Identifier: MIT
 """One modulus, many arguments."""
 
-from ctypes import c_double, c_void_p
 from typing import Any, Optional
 
 from numpy.typing import ArrayLike
 
 from ._functions import JacobiValues
-from ._library import library, quick_library
+from ._library import library
 from ._routine import Out, Outs, Routine
+from ._value import Value, constant
 
 _jacobi = Routine("modulus_jacobi", ("u",), JacobiValues, heads=1)
 _am = Routine("modulus_am", ("u",), heads=1)
 _epsilon = Routine("modulus_epsilon", ("u",), heads=1)
 
 
-def constant(name: str, doc: str, result: type = c_double) -> property:
-    """A number that a value of C tells of itself, as a property"""
-    function = quick_library[f"furiko_{name}"]
-    function.argtypes = [c_void_p]
-    function.restype = result
-    return property(lambda self: function(self._value), doc=doc)
-
-
-def made(name: str, size: int, *numbers: float) -> Any:
-    """A value of C of so many bytes, made by the function of this name from these numbers"""
-    value = (c_double * (size // 8))()
-    function = library[f"furiko_{name}"]
-    function.argtypes = [c_void_p] + [c_double] * len(numbers)
-    function.restype = None
-    function(value, *map(float, numbers))
-    return value
-
-
-class Modulus:
+class Modulus(Value):
     """A modulus made ready for many arguments, in float64: its quarter period and theta series are computed once.
 
     Made from one of `k`, `m` = k^2, `mc` = 1 - m, `alpha` (the modular angle in radians, k = sin(alpha)) or
@@ -46,10 +28,11 @@ class Modulus:
     >>> p.ellipk
     2.1565156474996434
     >>> p.jacobi(1.0).sn
-    0.7785842309373337
+    0.7826328478392893
     """
 
-    __slots__ = ("_value",)
+    __slots__ = ()
+    _bytes = library.furiko_modulus_size()
 
     def __init__(
         self,
@@ -64,7 +47,7 @@ class Modulus:
         given = [(form, number) for form, number in forms.items() if number is not None]
         if len(given) != 1:
             raise TypeError("Modulus takes one of k, m, mc, alpha and amplitude")
-        self._value = made(f"modulus_from_{given[0][0]}", _SIZE, given[0][1])
+        self._fill(f"modulus_from_{given[0][0]}", given[0][1])
 
     k = constant("modulus_k", "The modulus k; NaN for m < 0.")
     m = constant("modulus_m", "The parameter m = k^2.")
@@ -77,7 +60,7 @@ class Modulus:
     def complement(self) -> "Modulus":
         """The modulus of 1 - m"""
         other = Modulus.__new__(Modulus)
-        other._value = (c_double * (_SIZE // 8))()
+        other._value = type(self._value)()
         library.furiko_modulus_complement(self._value, other._value)
         return other
 
@@ -95,6 +78,3 @@ class Modulus:
 
     def __repr__(self) -> str:
         return f"Modulus(m={self.m!r}, mc={self.mc!r})"
-
-
-_SIZE = library.furiko_modulus_size()

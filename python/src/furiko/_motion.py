@@ -7,8 +7,8 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ._library import library
-from ._modulus import constant, made
 from ._routine import Out, Routine
+from ._value import Value, constant
 
 _angle = Routine("motion_angle", ("time",), heads=1)
 _rate = Routine("motion_rate", ("time",), heads=1)
@@ -18,7 +18,7 @@ _phase = Routine("motion_phase", ("time",), heads=1)
 _time_to = Routine("motion_time_to", ("angle",), heads=1)
 
 
-class Motion:
+class Motion(Value):
     """An exact motion of a pendulum without friction, in float64, made by a Pendulum.
 
     Time in seconds, which may be negative, angles in radians from the bottom; in rotation they go on beyond pi. Times
@@ -28,7 +28,8 @@ class Motion:
     next to the separatrix; the rate likewise, as a part of its largest value.
     """
 
-    __slots__ = ("_value",)
+    __slots__ = ()
+    _bytes = library.furiko_motion_size()
 
     def __init__(self) -> None:
         raise TypeError("a Motion is made by a Pendulum: Pendulum(length=1.0).released(angle=0.5)")
@@ -36,7 +37,7 @@ class Motion:
     @classmethod
     def _made(cls, start: str, *numbers: float) -> "Motion":
         self = cls.__new__(cls)
-        self._value = made(f"motion_{start}", _SIZE, *numbers)
+        self._fill(f"motion_{start}", *numbers)
         return self
 
     period = constant("motion_period", "Of a full swing to and fro, or of a full turn, seconds; infinite in between.")
@@ -99,6 +100,3 @@ class Pendulum:
     def started(self, angle: float, rate: float) -> Motion:
         """Any angle, radians, and any rate, radians per second, at the time 0."""
         return Motion._made("started", self.length, self.gravity, angle, rate)
-
-
-_SIZE = library.furiko_motion_size()

@@ -62,7 +62,11 @@ class Routine:
             return function
         function.argtypes += [c_void_p] * self.results
         function.restype = None
-        make, room, offsets = self.values._make, number * self.results, [sizeof(number) * i for i in range(self.results)]
+        make, room, offsets = (
+            self.values._make,
+            number * self.results,
+            [sizeof(number) * i for i in range(self.results)],
+        )
 
         def one(*arguments: float) -> Any:
             results = room()
@@ -91,11 +95,11 @@ class Routine:
     def __call__(self, out: Union[Out, Outs], *given: ArrayLike, head: Sequence[Any] = ()) -> Any:
         """Of anything: `out` is an array or None, or a tuple of them where there are several results."""
         kinds = set(map(type, given))
+        if out is None and kinds <= PYTHON:
+            return self.one(*head, *map(float, given))
         if out is None and kinds <= SCALARS:
-            kind = FLOAT32 if np.float32 in kinds and np.float64 not in kinds and not self.heads else FLOAT64
+            kind = FLOAT32 if np.float64 not in kinds and not self.heads else FLOAT64
             result = self.ones[kind](*head, *map(float, given))
-            if kinds <= PYTHON:
-                return result
             return self.values._make(map(kind.type, result)) if self.values else kind.type(result)
         outs = self._outs(out)
         arrays = [np.asarray(argument) for argument in given]
@@ -122,5 +126,5 @@ class Routine:
             raise TypeError(f"{self.name}: out is not a tuple of {self.results} arrays")
         for array in outs:
             if not isinstance(array, np.ndarray) and not (array is None and self.values):
-                raise TypeError(f"{self.name}: out is a {type(array).__name__}, not an array")
+                raise TypeError(f"{self.name}: out is of type {type(array).__name__}, not an array")
         return outs

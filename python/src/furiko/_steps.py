@@ -105,7 +105,9 @@ class _Callback:
             self.view(to)[...] = np.nan
 
 
-def _run(name: str, f: Callable[..., ArrayLike], times: tuple[float, ...], h: float, steps: int, *states: ArrayLike) -> Any:
+def _run(
+    name: str, f: Callable[..., ArrayLike], times: tuple[float, ...], h: float, steps: int, *states: ArrayLike
+) -> Any:
     """The states after the steps; of rk4 with the time of the first"""
     kind = kind_of(name, ("the state",) * len(states), states, [np.asarray(state) for state in states])
     suffix, number = KINDS[kind]
@@ -117,7 +119,9 @@ def _run(name: str, f: Callable[..., ArrayLike], times: tuple[float, ...], h: fl
         given = CFUNCTYPE(None, c_void_p, c_void_p, c_void_p)(lambda x, a, _: callback.put(x, a))
     numbers = [number(time) for time in (*times, h)]
     starts = [c_void_p(result.ctypes.data) for result in results]
-    library[f"furiko_{name}{suffix}"](given, None, c_size_t(results[0].size), *numbers, c_int(_count(name, steps)), *starts)
+    library[f"furiko_{name}{suffix}"](
+        given, None, c_size_t(results[0].size), *numbers, c_int(_count(name, steps)), *starts
+    )
     if callback.error:
         raise callback.error[0]
     return [result if result.ndim else result[()] for result in results]
