@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a call costs, beside scipy.special, as the table of doc/python.md: python bench.py. Takes a minute; needs SciPy."""
+"""What a call costs, beside scipy.special, as doc/python.md has it: python bench.py. Takes a minute; needs SciPy."""
 
 import platform
 import timeit
@@ -32,7 +32,7 @@ def seconds(call, names):
 
 def told(time):
     """With a unit, to three figures"""
-    for unit, size in (("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3)):
+    for unit, size in (("ns", 1e-9), ("µs", 1e-6), ("ms", 1e-3)):
         if time < 999.5 * size:
             return f"{time / size:.3g} {unit}"
     return f"{time:.3g} s"
@@ -40,8 +40,9 @@ def told(time):
 
 def main():
     random = np.random.default_rng(7)
-    processor = [line for line in open("/proc/cpuinfo") if line.startswith("model name")][0].split(":")[1].strip()
-    print(f"{processor}; Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}\n")
+    print(
+        f"{platform.processor() or platform.machine()}; Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}\n"
+    )
     print("| furiko | SciPy | a float | | 1,000 | | 1,000,000 | |")
     print("|---|---|---|---|---|---|---|---|")
     for ours, theirs, ranges in CALLS:
