@@ -40,9 +40,8 @@ def told(time):
 
 def main():
     random = np.random.default_rng(7)
-    print(
-        f"{platform.processor() or platform.machine()}; Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}\n"
-    )
+    versions = f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}"
+    print(f"{platform.machine()}, {versions}\n")
     print("| furiko | SciPy | a float | | 1,000 | | 1,000,000 | |")
     print("|---|---|---|---|---|---|---|---|")
     for ours, theirs, ranges in CALLS:

@@ -8,163 +8,164 @@ from numpy.typing import ArrayLike
 
 from ._routine import Out, Outs, Routine
 
+
 __all__ = [
     "EllipkeValues",
     "JacobiValues",
     "agm",
-    "amplitude_of_excess",
-    "amplitude_of_period",
-    "amplitude_three_terms",
-    "carlson_rc",
-    "carlson_rd",
-    "carlson_rf",
-    "carlson_rg",
-    "carlson_rj",
-    "complementary_parameter_from_ellipk",
-    "complementary_parameter_from_nome",
-    "complementary_parameter_from_period_ratio",
-    "ellipb_alpha",
-    "ellipb_k",
-    "ellipb_m",
-    "ellipb_mc",
-    "ellipd_alpha",
-    "ellipd_k",
-    "ellipd_m",
-    "ellipd_mc",
-    "ellipdinc_k",
-    "ellipdinc_m",
-    "ellipdinc_mc",
-    "ellipe_alpha",
-    "ellipe_k",
-    "ellipe_m",
-    "ellipe_mc",
-    "ellipeinc_inverse_k",
-    "ellipeinc_inverse_m",
-    "ellipeinc_inverse_mc",
-    "ellipeinc_k",
-    "ellipeinc_m",
-    "ellipeinc_mc",
-    "ellipf_k",
-    "ellipf_m",
-    "ellipf_mc",
-    "ellipk_alpha",
     "ellipk_k",
     "ellipk_m",
     "ellipk_mc",
-    "ellipke_alpha",
+    "ellipk_alpha",
+    "ellipe_k",
+    "ellipe_m",
+    "ellipe_mc",
+    "ellipe_alpha",
+    "ellipb_k",
+    "ellipb_m",
+    "ellipb_mc",
+    "ellipb_alpha",
+    "ellipd_k",
+    "ellipd_m",
+    "ellipd_mc",
+    "ellipd_alpha",
     "ellipke_k",
     "ellipke_m",
     "ellipke_mc",
+    "ellipke_alpha",
+    "ellipf_k",
+    "ellipf_m",
+    "ellipf_mc",
+    "ellipeinc_k",
+    "ellipeinc_m",
+    "ellipeinc_mc",
+    "ellipdinc_k",
+    "ellipdinc_m",
+    "ellipdinc_mc",
     "ellippi_k",
     "ellippi_m",
     "ellippi_mc",
     "ellippiinc_k",
     "ellippiinc_m",
     "ellippiinc_mc",
-    "ellipse_perimeter",
-    "heuman_lambda_k",
-    "heuman_lambda_m",
-    "heuman_lambda_mc",
-    "jacobi_am_k",
-    "jacobi_am_m",
-    "jacobi_am_mc",
-    "jacobi_arccd_k",
-    "jacobi_arccd_m",
-    "jacobi_arccd_mc",
-    "jacobi_arccn_k",
-    "jacobi_arccn_m",
-    "jacobi_arccn_mc",
-    "jacobi_arccs_k",
-    "jacobi_arccs_m",
-    "jacobi_arccs_mc",
-    "jacobi_arcdc_k",
-    "jacobi_arcdc_m",
-    "jacobi_arcdc_mc",
-    "jacobi_arcdn_k",
-    "jacobi_arcdn_m",
-    "jacobi_arcdn_mc",
-    "jacobi_arcds_k",
-    "jacobi_arcds_m",
-    "jacobi_arcds_mc",
-    "jacobi_arcnc_k",
-    "jacobi_arcnc_m",
-    "jacobi_arcnc_mc",
-    "jacobi_arcnd_k",
-    "jacobi_arcnd_m",
-    "jacobi_arcnd_mc",
-    "jacobi_arcns_k",
-    "jacobi_arcns_m",
-    "jacobi_arcns_mc",
-    "jacobi_arcsc_k",
-    "jacobi_arcsc_m",
-    "jacobi_arcsc_mc",
-    "jacobi_arcsd_k",
-    "jacobi_arcsd_m",
-    "jacobi_arcsd_mc",
-    "jacobi_arcsn_k",
-    "jacobi_arcsn_m",
-    "jacobi_arcsn_mc",
-    "jacobi_cd_k",
-    "jacobi_cd_m",
-    "jacobi_cd_mc",
-    "jacobi_cn_k",
-    "jacobi_cn_m",
-    "jacobi_cn_mc",
-    "jacobi_cs_k",
-    "jacobi_cs_m",
-    "jacobi_cs_mc",
-    "jacobi_dc_k",
-    "jacobi_dc_m",
-    "jacobi_dc_mc",
-    "jacobi_dn_k",
-    "jacobi_dn_m",
-    "jacobi_dn_mc",
-    "jacobi_ds_k",
-    "jacobi_ds_m",
-    "jacobi_ds_mc",
-    "jacobi_epsilon_k",
-    "jacobi_epsilon_m",
-    "jacobi_epsilon_mc",
+    "carlson_rf",
+    "carlson_rc",
+    "carlson_rd",
+    "carlson_rj",
+    "carlson_rg",
+    "nome_k",
+    "nome_m",
+    "nome_mc",
+    "parameter_from_nome",
+    "complementary_parameter_from_nome",
+    "theta1",
+    "theta2",
+    "theta3",
+    "theta4",
+    "theta1_prime",
+    "theta2_prime",
+    "theta3_prime",
+    "theta4_prime",
     "jacobi_k",
     "jacobi_m",
     "jacobi_mc",
+    "jacobi_am_k",
+    "jacobi_am_m",
+    "jacobi_am_mc",
+    "jacobi_sn_k",
+    "jacobi_sn_m",
+    "jacobi_sn_mc",
+    "jacobi_cn_k",
+    "jacobi_cn_m",
+    "jacobi_cn_mc",
+    "jacobi_dn_k",
+    "jacobi_dn_m",
+    "jacobi_dn_mc",
+    "jacobi_ns_k",
+    "jacobi_ns_m",
+    "jacobi_ns_mc",
     "jacobi_nc_k",
     "jacobi_nc_m",
     "jacobi_nc_mc",
     "jacobi_nd_k",
     "jacobi_nd_m",
     "jacobi_nd_mc",
-    "jacobi_ns_k",
-    "jacobi_ns_m",
-    "jacobi_ns_mc",
     "jacobi_sc_k",
     "jacobi_sc_m",
     "jacobi_sc_mc",
+    "jacobi_cs_k",
+    "jacobi_cs_m",
+    "jacobi_cs_mc",
     "jacobi_sd_k",
     "jacobi_sd_m",
     "jacobi_sd_mc",
-    "jacobi_sn_k",
-    "jacobi_sn_m",
-    "jacobi_sn_mc",
+    "jacobi_ds_k",
+    "jacobi_ds_m",
+    "jacobi_ds_mc",
+    "jacobi_cd_k",
+    "jacobi_cd_m",
+    "jacobi_cd_mc",
+    "jacobi_dc_k",
+    "jacobi_dc_m",
+    "jacobi_dc_mc",
+    "jacobi_epsilon_k",
+    "jacobi_epsilon_m",
+    "jacobi_epsilon_mc",
+    "jacobi_arcsn_k",
+    "jacobi_arcsn_m",
+    "jacobi_arcsn_mc",
+    "jacobi_arccn_k",
+    "jacobi_arccn_m",
+    "jacobi_arccn_mc",
+    "jacobi_arcdn_k",
+    "jacobi_arcdn_m",
+    "jacobi_arcdn_mc",
+    "jacobi_arcns_k",
+    "jacobi_arcns_m",
+    "jacobi_arcns_mc",
+    "jacobi_arcnc_k",
+    "jacobi_arcnc_m",
+    "jacobi_arcnc_mc",
+    "jacobi_arcnd_k",
+    "jacobi_arcnd_m",
+    "jacobi_arcnd_mc",
+    "jacobi_arcsc_k",
+    "jacobi_arcsc_m",
+    "jacobi_arcsc_mc",
+    "jacobi_arccs_k",
+    "jacobi_arccs_m",
+    "jacobi_arccs_mc",
+    "jacobi_arcsd_k",
+    "jacobi_arcsd_m",
+    "jacobi_arcsd_mc",
+    "jacobi_arcds_k",
+    "jacobi_arcds_m",
+    "jacobi_arcds_mc",
+    "jacobi_arccd_k",
+    "jacobi_arccd_m",
+    "jacobi_arccd_mc",
+    "jacobi_arcdc_k",
+    "jacobi_arcdc_m",
+    "jacobi_arcdc_mc",
+    "parameter_from_ellipk",
+    "complementary_parameter_from_ellipk",
+    "parameter_from_period_ratio",
+    "complementary_parameter_from_period_ratio",
+    "ellipeinc_inverse_k",
+    "ellipeinc_inverse_m",
+    "ellipeinc_inverse_mc",
     "jacobi_zeta_k",
     "jacobi_zeta_m",
     "jacobi_zeta_mc",
-    "nome_k",
-    "nome_m",
-    "nome_mc",
-    "parameter_from_ellipk",
-    "parameter_from_nome",
-    "parameter_from_period_ratio",
-    "period_excess",
+    "heuman_lambda_k",
+    "heuman_lambda_m",
+    "heuman_lambda_mc",
     "period_ratio",
-    "theta1",
-    "theta1_prime",
-    "theta2",
-    "theta2_prime",
-    "theta3",
-    "theta3_prime",
-    "theta4",
-    "theta4_prime",
+    "period_excess",
+    "amplitude_of_period",
+    "amplitude_of_excess",
+    "amplitude_three_terms",
+    "ellipse_perimeter",
 ]
 
 
@@ -228,7 +229,8 @@ def ellipk_k(k: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(k=0) = pi/2, K(k=+-1) = +Inf; NaN outside, NaN in gives NaN out. Correctly rounded in float32;
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
     error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
@@ -254,12 +256,13 @@ _ellipk_m = Routine("ellipk_m", ("m",), None)
 
 
 def ellipk_m(m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral of the first kind, of the parameter m, `m <= 1`.
+    r"""Complete elliptic integral of the first kind, of the parameter m = k^2, `m <= 1`.
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(m=0) = pi/2, K(m=1) = +Inf, K(m=-Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -289,8 +292,9 @@ def ellipk_mc(mc: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(mc=1) = pi/2, K(mc=0) = +Inf, K(mc=+Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -315,13 +319,14 @@ _ellipk_alpha = Routine("ellipk_alpha", ("alpha",), None)
 
 
 def ellipk_alpha(alpha: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral of the first kind, of the modular angle in radians, `abs(alpha) <=
-    pi/2`, k = sin(alpha).
+    r"""Complete elliptic integral of the first kind, of the modular angle alpha in radians, k =
+    sin(alpha), `abs(alpha) <= pi/2`.
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(alpha=0) = pi/2; finite at the `pi/2` of the kind; NaN outside, NaN in gives NaN out. Error at
-    most 0.5001 ulp (float32), 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -350,7 +355,8 @@ def ellipe_k(k: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: E(m) = \int_0^{\pi/2} \sqrt{1 - m \sin^2\theta}\,d\theta
 
-    E(k=0) = pi/2, E(k=+-1) = 1; NaN outside, NaN in gives NaN out. Correctly rounded in float32;
+    E = pi/2 at m = 0, 1 at m = 1, +Inf at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
     error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
@@ -376,12 +382,13 @@ _ellipe_m = Routine("ellipe_m", ("m",), None)
 
 
 def ellipe_m(m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral of the second kind, of the parameter m, `m <= 1`.
+    r"""Complete elliptic integral of the second kind, of the parameter m = k^2, `m <= 1`.
 
     .. math:: E(m) = \int_0^{\pi/2} \sqrt{1 - m \sin^2\theta}\,d\theta
 
-    E(m=0) = pi/2, E(m=1) = 1, E(m=-Inf) = +Inf; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    E = pi/2 at m = 0, 1 at m = 1, +Inf at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -411,8 +418,9 @@ def ellipe_mc(mc: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: E(m) = \int_0^{\pi/2} \sqrt{1 - m \sin^2\theta}\,d\theta
 
-    E(mc=1) = pi/2, E(mc=0) = 1, E(mc=+Inf) = +Inf; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    E = pi/2 at m = 0, 1 at m = 1, +Inf at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -437,13 +445,14 @@ _ellipe_alpha = Routine("ellipe_alpha", ("alpha",), None)
 
 
 def ellipe_alpha(alpha: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral of the second kind, of the modular angle in radians, `abs(alpha) <=
-    pi/2`, k = sin(alpha).
+    r"""Complete elliptic integral of the second kind, of the modular angle alpha in radians, k =
+    sin(alpha), `abs(alpha) <= pi/2`.
 
     .. math:: E(m) = \int_0^{\pi/2} \sqrt{1 - m \sin^2\theta}\,d\theta
 
-    E(alpha=0) = pi/2; finite at the `pi/2` of the kind; NaN outside, NaN in gives NaN out. Error at
-    most 0.5001 ulp (float32), 0.55 ulp (float64).
+    E = pi/2 at m = 0, 1 at m = 1, +Inf at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -473,8 +482,9 @@ def ellipb_k(k: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: B(m) = \int_0^{\pi/2} \frac{\cos^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    B(k=0) = pi/4, B(k=+-1) = 1; NaN outside, NaN in gives NaN out. Correctly rounded in float32;
-    error at most 0.6 ulp (float64).
+    B = pi/4 at m = 0, 1 at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle it
+    is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle; error
+    at most 0.6 ulp (float64).
 
     Definition: Fukushima, Math. Comp. 80 (2011) 1725, eq. (1).
 
@@ -499,12 +509,13 @@ _ellipb_m = Routine("ellipb_m", ("m",), None)
 
 
 def ellipb_m(m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Associated complete elliptic integral B = (E - mc K)/m, of the parameter m, `m <= 1`.
+    r"""Associated complete elliptic integral B = (E - mc K)/m, of the parameter m = k^2, `m <= 1`.
 
     .. math:: B(m) = \int_0^{\pi/2} \frac{\cos^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    B(m=0) = pi/4, B(m=1) = 1, B(m=-Inf) = 0; NaN outside, NaN in gives NaN out. Correctly rounded
-    in float32; error at most 0.6 ulp (float64).
+    B = pi/4 at m = 0, 1 at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle it
+    is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle; error
+    at most 0.6 ulp (float64).
 
     Definition: Fukushima, Math. Comp. 80 (2011) 1725, eq. (1).
 
@@ -534,8 +545,9 @@ def ellipb_mc(mc: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: B(m) = \int_0^{\pi/2} \frac{\cos^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    B(mc=1) = pi/4, B(mc=0) = 1, B(mc=+Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.6 ulp (float64).
+    B = pi/4 at m = 0, 1 at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle it
+    is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle; error
+    at most 0.6 ulp (float64).
 
     Definition: Fukushima, Math. Comp. 80 (2011) 1725, eq. (1).
 
@@ -560,13 +572,14 @@ _ellipb_alpha = Routine("ellipb_alpha", ("alpha",), None)
 
 
 def ellipb_alpha(alpha: ArrayLike, *, out: Out = None) -> Any:
-    r"""Associated complete elliptic integral B = (E - mc K)/m, of the modular angle in radians,
-    `abs(alpha) <= pi/2`, k = sin(alpha).
+    r"""Associated complete elliptic integral B = (E - mc K)/m, of the modular angle alpha in radians, k
+    = sin(alpha), `abs(alpha) <= pi/2`.
 
     .. math:: B(m) = \int_0^{\pi/2} \frac{\cos^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    B(alpha=0) = pi/4; finite at the `pi/2` of the kind; NaN outside, NaN in gives NaN out. Error at
-    most 0.5001 ulp (float32), 0.6 ulp (float64).
+    B = pi/4 at m = 0, 1 at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle it
+    is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle; error
+    at most 0.6 ulp (float64).
 
     Definition: Fukushima, Math. Comp. 80 (2011) 1725, eq. (1).
 
@@ -595,7 +608,8 @@ def ellipd_k(k: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: D(m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    D(k=0) = pi/4, D(k=+-1) = +Inf; NaN outside, NaN in gives NaN out. Correctly rounded in float32;
+    D = pi/4 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
     error at most 0.6 ulp (float64).
 
     Definition: DLMF 19.2.8.
@@ -621,12 +635,13 @@ _ellipd_m = Routine("ellipd_m", ("m",), None)
 
 
 def ellipd_m(m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral D = (K - E)/m, of the parameter m, `m <= 1`.
+    r"""Complete elliptic integral D = (K - E)/m, of the parameter m = k^2, `m <= 1`.
 
     .. math:: D(m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    D(m=0) = pi/4, D(m=1) = +Inf, D(m=-Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.6 ulp (float64).
+    D = pi/4 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.6 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -655,8 +670,9 @@ def ellipd_mc(mc: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: D(m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    D(mc=1) = pi/4, D(mc=0) = +Inf, D(mc=+Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.6 ulp (float64).
+    D = pi/4 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.6 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -681,13 +697,14 @@ _ellipd_alpha = Routine("ellipd_alpha", ("alpha",), None)
 
 
 def ellipd_alpha(alpha: ArrayLike, *, out: Out = None) -> Any:
-    r"""Complete elliptic integral D = (K - E)/m, of the modular angle in radians, `abs(alpha) <= pi/2`,
-    k = sin(alpha).
+    r"""Complete elliptic integral D = (K - E)/m, of the modular angle alpha in radians, k = sin(alpha),
+    `abs(alpha) <= pi/2`.
 
     .. math:: D(m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    D(alpha=0) = pi/4; finite at the `pi/2` of the kind; NaN outside, NaN in gives NaN out. Error at
-    most 0.5001 ulp (float32), 0.6 ulp (float64).
+    D = pi/4 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.6 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -716,7 +733,8 @@ def ellipke_k(k: ArrayLike, *, out: Outs = None) -> EllipkeValues:
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(k=0) = pi/2, K(k=+-1) = +Inf; NaN outside, NaN in gives NaN out. Correctly rounded in float32;
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
     error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
@@ -742,12 +760,13 @@ _ellipke_m = Routine("ellipke_m", ("m",), EllipkeValues)
 
 
 def ellipke_m(m: ArrayLike, *, out: Outs = None) -> EllipkeValues:
-    r"""K and E together, ellipk_m and ellipe_m, of the parameter m, `m <= 1`.
+    r"""K and E together, of the parameter m = k^2, `m <= 1`.
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(m=0) = pi/2, K(m=1) = +Inf, K(m=-Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -772,12 +791,13 @@ _ellipke_mc = Routine("ellipke_mc", ("mc",), EllipkeValues)
 
 
 def ellipke_mc(mc: ArrayLike, *, out: Outs = None) -> EllipkeValues:
-    r"""K and E together, ellipk_mc and ellipe_mc, of the complementary parameter mc = 1 - m, `mc >= 0`.
+    r"""K and E together, of the complementary parameter mc = 1 - m, `mc >= 0`.
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(mc=1) = pi/2, K(mc=0) = +Inf, K(mc=+Inf) = 0; NaN outside, NaN in gives NaN out. Correctly
-    rounded in float32; error at most 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -802,13 +822,13 @@ _ellipke_alpha = Routine("ellipke_alpha", ("alpha",), EllipkeValues)
 
 
 def ellipke_alpha(alpha: ArrayLike, *, out: Outs = None) -> EllipkeValues:
-    r"""K and E together, ellipk_alpha and ellipe_alpha, of the modular angle in radians, `abs(alpha) <=
-    pi/2`, k = sin(alpha).
+    r"""K and E together, of the modular angle alpha in radians, k = sin(alpha), `abs(alpha) <= pi/2`.
 
     .. math:: K(m) = \int_0^{\pi/2} \frac{d\theta}{\sqrt{1 - m \sin^2\theta}}
 
-    K(alpha=0) = pi/2; finite at the `pi/2` of the kind; NaN outside, NaN in gives NaN out. Error at
-    most 0.5001 ulp (float32), 0.55 ulp (float64).
+    K = pi/2 at m = 0, +Inf at m = 1, 0 at m = -Inf; NaN outside, NaN in gives NaN out. Of an angle
+    it is finite at the `pi/2` of the kind. Correctly rounded in float32, 0.5001 ulp of an angle;
+    error at most 0.55 ulp (float64).
 
     Definition: DLMF 19.2.8.
 
@@ -1541,11 +1561,12 @@ _nome_k = Routine("nome_k", ("k",), None)
 
 
 def nome_k(k: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nome of the modulus k, `abs(k) <= 1`.
+    r"""Jacobi's nome of the modulus k, `abs(k) <= 1`, m = k^2; of the sign of m.
 
-    .. math:: q = \exp\left(-\pi \frac{K(1 - m)}{K(m)}\right), \quad m = k^2
+    .. math:: q = \exp\left(-\pi \frac{K(1 - m)}{K(m)}\right), \quad q(m) = -q(m/(m-1))
 
-    Special cases: q(k=0) = 0, q(k=+-1) = 1; NaN outside, NaN in gives NaN out.
+    Special cases: q(m=0) = 0, q(m=1) = 1, q(m=-1) = -exp(-pi), q(m=-Inf) = -1; NaN outside, NaN in
+    gives NaN out.
 
     Accuracy: 1 ulp, also as q -> 0 (q ~ m/16, down to the smallest number).
 
@@ -1570,7 +1591,7 @@ _nome_m = Routine("nome_m", ("m",), None)
 
 
 def nome_m(m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nome of the parameter m, `m <= 1`; of the sign of m.
+    r"""Jacobi's nome, of the parameter m = k^2, `m <= 1`.
 
     .. math:: q = \exp\left(-\pi \frac{K(1 - m)}{K(m)}\right), \quad q(m) = -q(m/(m-1))
 
@@ -1600,14 +1621,14 @@ _nome_mc = Routine("nome_mc", ("mc",), None)
 
 
 def nome_mc(mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nome of the complementary parameter mc = 1 - m, `mc >= 0`; of the sign of 1 - mc.
+    r"""Jacobi's nome, of the complementary parameter mc = 1 - m, `mc >= 0`.
 
-    .. math:: q = \exp\left(-\pi \frac{K(mc)}{K(1 - mc)}\right)
+    .. math:: q = \exp\left(-\pi \frac{K(1 - m)}{K(m)}\right), \quad q(m) = -q(m/(m-1))
 
-    Special cases: q(mc=1) = 0, q(mc=0) = 1, q(mc=2) = -exp(-pi), q(mc=Inf) = -1; NaN outside, NaN
-    in gives NaN out.
+    Special cases: q(m=0) = 0, q(m=1) = 1, q(m=-1) = -exp(-pi), q(m=-Inf) = -1; NaN outside, NaN in
+    gives NaN out.
 
-    Accuracy: 1 ulp.
+    Accuracy: 1 ulp, also as q -> 0 (q ~ m/16, down to the smallest number).
 
     Parameters
     ----------
@@ -2181,7 +2202,7 @@ _jacobi_sn_m = Routine("jacobi_sn_m", ("u", "m"), None)
 
 
 def jacobi_sn_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sn, DLMF 22.2.4, of u and the parameter m = k^2.
+    r"""Jacobi's sn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2220,7 +2241,7 @@ _jacobi_sn_mc = Routine("jacobi_sn_mc", ("u", "mc"), None)
 
 
 def jacobi_sn_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sn, DLMF 22.2.4, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's sn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2298,7 +2319,7 @@ _jacobi_cn_m = Routine("jacobi_cn_m", ("u", "m"), None)
 
 
 def jacobi_cn_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cn, DLMF 22.2.5, of u and the parameter m = k^2.
+    r"""Jacobi's cn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2337,7 +2358,7 @@ _jacobi_cn_mc = Routine("jacobi_cn_mc", ("u", "mc"), None)
 
 
 def jacobi_cn_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cn, DLMF 22.2.5, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's cn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2415,7 +2436,7 @@ _jacobi_dn_m = Routine("jacobi_dn_m", ("u", "m"), None)
 
 
 def jacobi_dn_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's dn, DLMF 22.2.6, of u and the parameter m = k^2.
+    r"""Jacobi's dn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2454,7 +2475,7 @@ _jacobi_dn_mc = Routine("jacobi_dn_mc", ("u", "mc"), None)
 
 
 def jacobi_dn_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's dn, DLMF 22.2.6, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's dn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2532,7 +2553,7 @@ _jacobi_ns_m = Routine("jacobi_ns_m", ("u", "m"), None)
 
 
 def jacobi_ns_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's ns = 1/sn, of u and the parameter m = k^2.
+    r"""Jacobi's ns = 1/sn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2571,7 +2592,7 @@ _jacobi_ns_mc = Routine("jacobi_ns_mc", ("u", "mc"), None)
 
 
 def jacobi_ns_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's ns = 1/sn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's ns = 1/sn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2649,7 +2670,7 @@ _jacobi_nc_m = Routine("jacobi_nc_m", ("u", "m"), None)
 
 
 def jacobi_nc_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nc = 1/cn, of u and the parameter m = k^2.
+    r"""Jacobi's nc = 1/cn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2688,7 +2709,7 @@ _jacobi_nc_mc = Routine("jacobi_nc_mc", ("u", "mc"), None)
 
 
 def jacobi_nc_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nc = 1/cn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's nc = 1/cn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2766,7 +2787,7 @@ _jacobi_nd_m = Routine("jacobi_nd_m", ("u", "m"), None)
 
 
 def jacobi_nd_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nd = 1/dn, of u and the parameter m = k^2.
+    r"""Jacobi's nd = 1/dn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2805,7 +2826,7 @@ _jacobi_nd_mc = Routine("jacobi_nd_mc", ("u", "mc"), None)
 
 
 def jacobi_nd_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's nd = 1/dn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's nd = 1/dn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2883,7 +2904,7 @@ _jacobi_sc_m = Routine("jacobi_sc_m", ("u", "m"), None)
 
 
 def jacobi_sc_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sc = sn/cn, of u and the parameter m = k^2.
+    r"""Jacobi's sc = sn/cn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -2922,7 +2943,7 @@ _jacobi_sc_mc = Routine("jacobi_sc_mc", ("u", "mc"), None)
 
 
 def jacobi_sc_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sc = sn/cn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's sc = sn/cn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3000,7 +3021,7 @@ _jacobi_cs_m = Routine("jacobi_cs_m", ("u", "m"), None)
 
 
 def jacobi_cs_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cs = cn/sn, of u and the parameter m = k^2.
+    r"""Jacobi's cs = cn/sn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3039,7 +3060,7 @@ _jacobi_cs_mc = Routine("jacobi_cs_mc", ("u", "mc"), None)
 
 
 def jacobi_cs_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cs = cn/sn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's cs = cn/sn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3117,7 +3138,7 @@ _jacobi_sd_m = Routine("jacobi_sd_m", ("u", "m"), None)
 
 
 def jacobi_sd_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sd = sn/dn, of u and the parameter m = k^2.
+    r"""Jacobi's sd = sn/dn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3156,7 +3177,7 @@ _jacobi_sd_mc = Routine("jacobi_sd_mc", ("u", "mc"), None)
 
 
 def jacobi_sd_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's sd = sn/dn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's sd = sn/dn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3234,7 +3255,7 @@ _jacobi_ds_m = Routine("jacobi_ds_m", ("u", "m"), None)
 
 
 def jacobi_ds_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's ds = dn/sn, of u and the parameter m = k^2.
+    r"""Jacobi's ds = dn/sn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3273,7 +3294,7 @@ _jacobi_ds_mc = Routine("jacobi_ds_mc", ("u", "mc"), None)
 
 
 def jacobi_ds_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's ds = dn/sn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's ds = dn/sn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3351,7 +3372,7 @@ _jacobi_cd_m = Routine("jacobi_cd_m", ("u", "m"), None)
 
 
 def jacobi_cd_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cd = cn/dn, of u and the parameter m = k^2.
+    r"""Jacobi's cd = cn/dn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3390,7 +3411,7 @@ _jacobi_cd_mc = Routine("jacobi_cd_mc", ("u", "mc"), None)
 
 
 def jacobi_cd_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's cd = cn/dn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's cd = cn/dn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3468,7 +3489,7 @@ _jacobi_dc_m = Routine("jacobi_dc_m", ("u", "m"), None)
 
 
 def jacobi_dc_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's dc = dn/cn, of u and the parameter m = k^2.
+    r"""Jacobi's dc = dn/cn, of the parameter m = k^2.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3507,7 +3528,7 @@ _jacobi_dc_mc = Routine("jacobi_dc_mc", ("u", "mc"), None)
 
 
 def jacobi_dc_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's dc = dn/cn, of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's dc = dn/cn, of the complementary parameter mc = 1 - m.
 
     .. math:: u = \int_0^{\operatorname{am} u} \frac{d\theta}{\sqrt{1 - m\sin^2\theta}}, \quad
        \operatorname{sn} u = \sin\operatorname{am} u, \quad \operatorname{cn} u =
@@ -3550,7 +3571,7 @@ def jacobi_epsilon_k(u: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
 
     .. math:: \mathcal{E}(u, k) = \int_0^u \mathrm{dn}^2(t, k)\,dt = E(\mathrm{am}\,u, k),
 
-    the last for abs(k) <= 1.
+    the last for abs(k) <= 1. Any m, m > 1 included.
 
     Special cases: 0 at u = 0, u for k = 0, tanh(u) for abs(k) = 1; NaN for infinite u and for NaN.
 
@@ -3581,11 +3602,11 @@ _jacobi_epsilon_m = Routine("jacobi_epsilon_m", ("u", "m"), None)
 
 
 def jacobi_epsilon_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's epsilon of u and the parameter m = k^2, m <= 1 and beyond.
+    r"""Jacobi's epsilon, of the parameter m = k^2.
 
     .. math:: \mathcal{E}(u, k) = \int_0^u \mathrm{dn}^2(t, k)\,dt = E(\mathrm{am}\,u, k),
 
-    the last for abs(k) <= 1.
+    the last for abs(k) <= 1. Any m, m > 1 included.
 
     Special cases: 0 at u = 0, u for k = 0, tanh(u) for abs(k) = 1; NaN for infinite u and for NaN.
 
@@ -3616,11 +3637,11 @@ _jacobi_epsilon_mc = Routine("jacobi_epsilon_mc", ("u", "mc"), None)
 
 
 def jacobi_epsilon_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's epsilon of u and the complementary parameter mc = 1 - m.
+    r"""Jacobi's epsilon, of the complementary parameter mc = 1 - m.
 
     .. math:: \mathcal{E}(u, k) = \int_0^u \mathrm{dn}^2(t, k)\,dt = E(\mathrm{am}\,u, k),
 
-    the last for abs(k) <= 1.
+    the last for abs(k) <= 1. Any m, m > 1 included.
 
     Special cases: 0 at u = 0, u for k = 0, tanh(u) for abs(k) = 1; NaN for infinite u and for NaN.
 
@@ -4873,7 +4894,7 @@ _ellipeinc_inverse_m = Routine("ellipeinc_inverse_m", ("s", "m"), None)
 
 
 def ellipeinc_inverse_m(s: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
-    r"""The angle phi with E(phi|m) = s: the inverse of ellipeinc_m, of s and the parameter m = k^2.
+    r"""The angle phi with E(phi|m) = s, of the parameter m = k^2.
 
     .. math:: \int_0^\phi \sqrt{1 - m\sin^2\theta}\,d\theta = s
 
