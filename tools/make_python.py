@@ -27,7 +27,6 @@ from typing import Any, NamedTuple
 from numpy.typing import ArrayLike
 
 from ._routine import Out, Outs, Routine
-
 '''
 # What the text says of Fortran alone: how arrays and complex numbers are given, real128, where the method is described
 FORTRAN_ONLY = [

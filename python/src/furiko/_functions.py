@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 
 from ._routine import Out, Outs, Routine
 
-
 __all__ = [
     "EllipkeValues",
     "JacobiValues",
@@ -2087,8 +2086,17 @@ _jacobi_am_k = Routine("jacobi_am_k", ("u", "k"), None)
 
 
 def jacobi_am_k(u: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
-    r"""Jacobi's amplitude of u and the modulus k, m = k^2: continuous in u, am(u + 2K) = am u + pi; for
-    m > 1 it swings between -asin(1/k) and asin(1/k). DLMF 22.16.1.
+    r"""Jacobi's amplitude of u and the modulus k, m = k^2.
+
+    Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
+    -asin(1/k) and asin(1/k).
+
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
+    NaN.
+
+    Accuracy: 6 ulp.
+
+    Definition: DLMF 22.16.1
 
     Parameters
     ----------
@@ -2115,6 +2123,16 @@ _jacobi_am_m = Routine("jacobi_am_m", ("u", "m"), None)
 def jacobi_am_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
     r"""Jacobi's amplitude, of the parameter m = k^2.
 
+    Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
+    -asin(1/k) and asin(1/k).
+
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
+    NaN.
+
+    Accuracy: 6 ulp.
+
+    Definition: DLMF 22.16.1
+
     Parameters
     ----------
     u : array_like
@@ -2139,6 +2157,16 @@ _jacobi_am_mc = Routine("jacobi_am_mc", ("u", "mc"), None)
 
 def jacobi_am_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
     r"""Jacobi's amplitude, of the complementary parameter mc = 1 - m.
+
+    Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
+    -asin(1/k) and asin(1/k).
+
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
+    NaN.
+
+    Accuracy: 6 ulp.
+
+    Definition: DLMF 22.16.1
 
     Parameters
     ----------
