@@ -2091,8 +2091,8 @@ def jacobi_am_k(u: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
     Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
     -asin(1/k) and asin(1/k).
 
-    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
-    NaN.
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)); NaN for infinite k and NaN, for infinite u
+    but where m = 1.
 
     Accuracy: 6 ulp.
 
@@ -2126,8 +2126,8 @@ def jacobi_am_m(u: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
     Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
     -asin(1/k) and asin(1/k).
 
-    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
-    NaN.
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)); NaN for infinite k and NaN, for infinite u
+    but where m = 1.
 
     Accuracy: 6 ulp.
 
@@ -2161,8 +2161,8 @@ def jacobi_am_mc(u: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
     Any finite u and m. Continuous in u, am(u + 2K) = am u + pi; for m > 1 it swings between
     -asin(1/k) and asin(1/k).
 
-    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)). NaN for infinite u (but m = 1) or k, and for
-    NaN.
+    Special cases: am(+-0) = +-0; m = 1: asin(tanh(u)); NaN for infinite k and NaN, for infinite u
+    but where m = 1.
 
     Accuracy: 6 ulp.
 
