@@ -2,6 +2,7 @@
 """What a call costs, beside scipy.special, as doc/python.md has it: python bench.py. Takes a minute; needs SciPy."""
 
 import platform
+import time
 import timeit
 
 import numpy as np
@@ -24,10 +25,10 @@ CALLS = [
 
 
 def seconds(call, names):
-    """Of one call: the least of many short runs, for others use the machine, too"""
-    timer = timeit.Timer(call, globals=names)
+    """Of one call: the processor's time, the least of many short runs, for others use the machine, too"""
+    timer = timeit.Timer(call, globals=names, timer=time.process_time)
     count = max(1, int(0.002 / min(timer.repeat(3, 1))))
-    return min(timer.repeat(200 if count > 1 else 20, count)) / count
+    return min(timer.repeat(200 if count > 1 else 10, count)) / count
 
 
 def told(time):
