@@ -14,11 +14,11 @@ const sliders = [
       at: "start-sliders", shown: () => state.start === "angle" },
    { key: "other", label: "otherSlider", unit: "degrees", symbol: "°", low: 0, high: 179.9, digits: 1,
       at: "compare-sliders", shown: () => state.compare === "other" },
-   { key: "damping", label: "dampingSlider", unit: "perSecond", symbol: "1/s", low: 0, high: 3, digits: 2,
+   { key: "linear", label: "dampingSlider", unit: "perSecond", symbol: "1/s", low: 0, high: 3, digits: 2,
       at: "compare-sliders", shown: () => state.compare === "driven" },
    { key: "drive", label: "driveSlider", unit: "radiansPerSquareSecond", symbol: "rad/s²", low: 0, high: 20, digits: 1,
       at: "compare-sliders", shown: () => state.compare === "driven" },
-   { key: "frequency", label: "frequencySlider", unit: "radiansPerSecond", symbol: "rad/s", low: 0, high: 10, digits: 2,
+   { key: "drive-frequency", label: "frequencySlider", unit: "radiansPerSecond", symbol: "rad/s", low: 0, high: 10, digits: 2,
       at: "compare-sliders", shown: () => state.compare === "driven" },
    { key: "length", label: "lengthSlider", unit: "metres", symbol: "m", low: 0.1, high: 100, digits: 2, log: true,
       at: "place-sliders", shown: () => true },
@@ -157,7 +157,8 @@ function showLesson() {
    find("lesson-count").textContent = `${state.lesson + 1} / ${lessons.length}`;
    find("lesson-title").textContent = say(name);
    find("lesson-text").innerHTML = say(name + "Text", links);
-   find("lesson-formula").innerHTML = `<math display="block">${formulas[state.lesson]}</math><p>${say(name + "Symbols")}</p>`;
+   find("lesson-formula").innerHTML = "<div>" + [formulas[state.lesson]].flat().map((part) =>
+      `<math displaystyle="true">${part}</math>`).join("") + `</div><p>${say(name + "Symbols")}</p>`;
    find("lesson-back").disabled = state.lesson === 0;
    find("lesson-next").disabled = state.lesson === lessons.length - 1;
 }

@@ -1,4 +1,4 @@
-/* ---- The formulas of the guided path, in MathML, and its steps ---- */
+/* ---- The formulas of the guided path, in MathML, and its steps. Where one is long, its parts. ---- */
 
 const formulas = (() => {
    const word = (name) => `<mi>${name}</mi>`;
@@ -25,11 +25,11 @@ const formulas = (() => {
          over(row(number(2), word("π")), omega)),
       row(ratio, equals, number(1), sign("+"), over(power(modulus, number(2)), number(4)), sign("+"),
          over(row(number(9), power(modulus, number(4))), number(64)), sign("+"), sign("⋯")),
-      row(call("K", modulus), equals, "<msubsup><mo>∫</mo><mn>0</mn><mrow><mi>π</mi><mo>/</mo><mn>2</mn></mrow></msubsup>",
+      [row(call("K", modulus), equals, "<msubsup><mo>∫</mo><mn>0</mn><mrow><mi>π</mi><mo>/</mo><mn>2</mn></mrow></msubsup>",
          over(row(word("d"), word("t")), root(number(1), sign("−"), power(modulus, number(2)),
-            power(word("sin"), number(2)), word("t"))), equals,
-         over(word("π"), row(number(2), call("AGM", number(1), sign(","),
-            root(number(1), sign("−"), power(modulus, number(2))))))),
+            power(word("sin"), number(2)), word("t")))),
+         row(equals, over(word("π"), row(number(2), call("AGM", number(1), sign(","),
+            root(number(1), sign("−"), power(modulus, number(2)))))))],
       row(over(word("T"), harmonic), sign("≈"), over(number(2), word("π")), word("ln"),
          over(number(4), row(word("cos"), sign("("), theta0, sign("/"), number(2), sign(")")))),
       row(over(number(1), number(2)), power(theta, sign("′")), power("<mrow></mrow>", number(2)), sign("−"),

@@ -111,14 +111,15 @@ function smallAngleMotion({ angle, rate }, length, gravity) {
    return { omega, ratio: 1, period: 2 * Math.PI / omega, amplitude: Math.hypot(angle, swing) / degree, at };
 }
 
-/* angle'' = -(g/l) sin(angle) - damping angle' + drive cos(frequency t), from the same angle and rate, for which
+/* angle'' = -(g/l) sin(angle) - linear angle' + drive cos(frequency t), from the same angle and rate, for which
    there is no formula: by the Runge-Kutta method, 200 steps a small swing, the last one shortened. */
-function steppedMotion({ angle, rate }, length, gravity, { damping, drive, frequency }) {
+function steppedMotion({ angle, rate }, length, gravity, forces) {
    const step = 2 * Math.PI * Math.sqrt(length / gravity) / 200;
+   const { linear, drive, "drive-frequency": frequency } = forces;
    const path = [[angle, rate]];
 
    function slope(time, x, v) {
-      return [v, -gravity / length * Math.sin(x) - damping * v + drive * Math.cos(frequency * time)];
+      return [v, -gravity / length * Math.sin(x) - linear * v + drive * Math.cos(frequency * time)];
    }
 
    function advanced([x, v], time, h) {

@@ -1,13 +1,13 @@
 /* ---- The state: what the address's fragment says, and the motions that follow from it ---- */
 
 const initial = { start: "release", amplitude: 90, angle: 0, rate: 6.5, compare: "small", other: 30,
-   damping: 0.2, drive: 0, frequency: 2, length: 1, gravity: 9.80665, speed: 1, time: 0, lesson: 0, language: "en" };
+   linear: 0.2, drive: 0, "drive-frequency": 2, length: 1, gravity: 9.80665, speed: 1, time: 0, lesson: 0, language: "en" };
 const state = { ...initial, playing: false };
 const lastTime = 3600;
 
 /* What numbers may be; amplitudes are those of any start. */
 const limits = { amplitude: [-180, 180], angle: [-180, 180], rate: [-100, 100], other: [0, 179.9999999],
-   damping: [0, 10], drive: [0, 50], frequency: [0, 20], length: [0.1, 100], gravity: [0.1, 30], speed: [0.1, 10],
+   linear: [0, 10], drive: [0, 50], "drive-frequency": [0, 20], length: [0.1, 100], gravity: [0.1, 30], speed: [0.1, 10],
    time: [0, lastTime], lesson: [0, lessons.length - 1] };
 
 let pair = [];
@@ -17,7 +17,7 @@ function clamp(value, [low, high]) {
    return Math.min(high, Math.max(low, value));
 }
 
-/* The options of `furiko animate` are these words, too: release=30&compare=driven&damping=0.1 */
+/* The options of `furiko animate` are these words, too: release=30&compare=driven&linear=0.1 */
 function fragment() {
    const words = new URLSearchParams();
    if (state.start === "angle") {
@@ -26,8 +26,8 @@ function fragment() {
    } else words.set(state.start, state.amplitude);
    if (state.compare === "other") words.set("compare", state.other);
    else if (state.compare === "driven") words.set("compare", "driven");
-   for (const key of ["damping", "drive", "frequency", "length", "gravity", "speed", "lesson"]) {
-      const matters = state.compare === "driven" || !["damping", "drive", "frequency"].includes(key);
+   for (const key of ["linear", "drive", "drive-frequency", "length", "gravity", "speed", "lesson"]) {
+      const matters = state.compare === "driven" || !["linear", "drive", "drive-frequency"].includes(key);
       if (matters && state[key] !== initial[key]) words.set(key, state[key]);
    }
    if (!state.playing && state.time > 0) words.set("time", Number(state.time.toFixed(6)));

@@ -129,7 +129,7 @@ function drawStage(motions) {
    const { pen, width, height } = sheet("stage");
    const size = clamp(Math.min(width, height) / 22, [8, 16]);
    const pivot = { x: width / 2, y: height / 2 + 12 };
-   const radius = Math.min(width / 2, height / 2 - 14) - size - 6;
+   const radius = Math.max(1, Math.min(width / 2, height / 2 - 14) - size - 6);
    const end = (angle) => ({ x: pivot.x + radius * Math.sin(angle), y: pivot.y + radius * Math.cos(angle) });
    const reach = Math.min(Math.PI, pair[0].amplitude * degree);
    pen.beginPath();
@@ -212,9 +212,9 @@ function drawPeriod() {
    const box = { x: 30, y: 8, width: width - 44, height: height - 30 };
    const top = 5.5;
    const plots = [
-      { ...axes(pen, box, [0, 180], [0.8, top], width < 340 ? 60 : 30, 1), most: 180, high: top },
+      { ...axes(pen, box, [0, 180], [0.6, top], width < 340 ? 60 : 30, 1), most: 180, high: top },
       { ...axes(pen, { x: box.x + 44, y: box.y + 8, width: 0.5 * box.width - 30, height: 0.5 * box.height }, [0, 90],
-         [0.98, 1.2], 30, 0.1), most: 90, high: 1.2 },
+         [0.95, 1.2], 30, 0.1), most: 90, high: 1.2 },
    ];
    for (const { xOf, yOf, box: inner, most, high } of plots) {
       within(pen, inner, () => {
@@ -232,9 +232,10 @@ function drawPeriod() {
    }
    const [main, inset] = plots;
    const three = [inset.xOf(39.159), inset.yOf(1.03)];
-   line(pen, [three[0], inset.yOf(0.98)], three, [inset.xOf(0), three[1]]);
+   line(pen, [three[0], inset.yOf(0.95)], three, [inset.xOf(0), three[1]]);
    stroke(pen, colours.muted, 1);
-   text(pen, say("threePercent"), three[0] + 4, three[1] - 8, "left", colours.ink);
+   text(pen, say("threePercent"), inset.xOf(0) + 4, three[1] - 4, "left", colours.ink);
+   text(pen, "39.2°", three[0] + 4, inset.yOf(0.95) - 4, "left", colours.ink);
    text(pen, say("smallLine"), main.xOf(2), main.yOf(1) + 14, "left", colours.ink);
    const { amplitude, ratio } = pair[0];
    const swings = Number.isFinite(amplitude);
