@@ -57,6 +57,7 @@ function show() {
       find("name-" + i).textContent = name;
    });
    showHandles();
+   lastReadings = -Infinity;
 }
 
 /* A finished change: the address has it, as an entry of its own to come back to, and it is said once. */
@@ -103,7 +104,7 @@ function addSlider(slider) {
    line.className = "slider";
    line.innerHTML = `<label for="${key}"></label><input type="number" step="any" id="${key}-field"><span
       aria-hidden="true">${slider.symbol}</span><input type="range" id="${key}" min="${scale[0](low)}"
-      max="${scale[0](high)}" step="${log ? 0.001 : 10 ** -digits}">`;
+      max="${scale[0](high)}" step="${log ? 0.005 : 10 ** -digits}">`;
    find(slider.at).append(line);
    const [field, range] = line.querySelectorAll("input");
 

@@ -71,7 +71,7 @@ function tick(now) {
    /* A page that was out of sight goes on where it was. */
    if (state.playing && !held) seek(state.time + state.speed * Math.min(0.1, (now - lastFrame) / 1000));
    lastFrame = now;
-   if (stale) draw();
+   if (stale || changed) draw();
    window.requestAnimationFrame(tick);
 }
 
@@ -84,7 +84,7 @@ function repaint(theme) {
 
 const wanted = (navigator.languages ?? []).map((name) => name.slice(0, 2)).find((name) => languages.includes(name));
 const watcher = new ResizeObserver(() => {
-   stale = true;
+   changed = true;
 });
 state.language = wanted ?? languages[0];
 addControls();

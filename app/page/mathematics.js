@@ -23,27 +23,37 @@ function carlson(x, y, z) {
    return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / Math.sqrt(a);
 }
 
-/* sn, cn and dn of u for kc = sqrt(1 - k^2), by Gauss' transformation: means down, cn/sn back up
-   (Bulirsch 1965). Only sums of positive terms, so that kc may be as small as it likes; |u| is at most K. */
-function jacobi(u, kc) {
-   if (Math.abs(u) < 1e-8) return [u, 1, 1];
-   if (kc === 0) return [Math.tanh(u), 1 / Math.cosh(u), 1 / Math.cosh(u)];
+/* The means of 1 and kc, as jacobi wants them: the first pair last, and before it what they tend to */
+function ladder(kc) {
    const pairs = [];
    let [a, b] = [1, kc];
    while (pairs.length === 0 || Math.abs(a - b) > 1e-15 * a) {
-      pairs.push([a, b]);
+      pairs.unshift([a, b]);
       [a, b] = [(a + b) / 2, Math.sqrt(a * b)];
    }
+   return { limit: a, pairs };
+}
+
+/* sn, cn and dn of u for kc = sqrt(1 - k^2), by Gauss' transformation: cn/sn of the means' limit, then back up
+   (Bulirsch 1965). Only sums of positive terms, so that kc may be as small as it likes; |u| is at most K. */
+function jacobi(u, { limit, pairs }) {
+   if (Math.abs(u) < 1e-8) return { sn: u, cn: 1, dn: 1 };
+   let a = limit;
    let y = a / Math.tan(a * u);
    let dn = 1;
-   for (const [above, root] of pairs.reverse()) {
+   for (const [above, root] of pairs) {
       const w = y * y / a;
       y *= dn;
       dn = (root + w) / (above + w);
       a = above;
    }
    const sn = Math.sign(u) / Math.sqrt(1 + y * y);
-   return [sn, y * sn, dn];
+   return { sn, cn: y * sn, dn };
+}
+
+/* The same for kc = 0, on the separatrix */
+function hyperbolic(u) {
+   return { sn: Math.tanh(u), cn: 1 / Math.cosh(u), dn: 1 / Math.cosh(u) };
 }
 
 /* Sine and cosine of half an angle in degrees, and its whole turns. From degrees since 180 less the angle is
@@ -77,6 +87,7 @@ function exactMotion(start, length, gravity) {
    const rotates = gap < 0;
    const kc = rotates ? Math.sqrt(-gap) / k : Math.sqrt(gap);
    const quarter = Math.PI / 2 / mean(kc);
+   const means = kc === 0 ? null : ladder(kc);
    const pace = direction * omega * (rotates ? k : 1);
    const u0 = fromBottom ? 0 : sine * (rotates ? carlson(cosine ** 2, (r / k) ** 2, 1)
       : carlson(r ** 2, (k * cosine) ** 2, k ** 2));
@@ -84,9 +95,9 @@ function exactMotion(start, length, gravity) {
    function at(time) {
       const u = u0 + pace * time;
       const halves = Math.round(u / (2 * quarter));
-      const [sn, cn, dn] = jacobi(halves === 0 ? u : u - 2 * quarter * halves, kc);
+      const { sn, cn, dn } = kc === 0 ? hyperbolic(u) : jacobi(u - 2 * quarter * halves, means);
       if (rotates) return { angle: 2 * Math.atan2(sn, cn) + 2 * Math.PI * (turns + halves),
-         rate: 2 * k * pace / k * dn };
+         rate: 2 * pace * dn };
       const sign = halves % 2 === 0 ? 1 : -1;
       return { angle: 2 * Math.atan2(sign * k * sn, dn) + 2 * Math.PI * turns, rate: 2 * k * pace * sign * cn };
    }

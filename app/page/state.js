@@ -10,8 +10,10 @@ const limits = { amplitude: [-180, 180], angle: [-180, 180], rate: [-100, 100], 
    linear: [0, 10], drive: [0, 50], "drive-frequency": [0, 20], length: [0.1, 100], gravity: [0.1, 30], speed: [0.1, 10],
    time: [0, lastTime], lesson: [0, lessons.length - 1] };
 
+/* The motions on show; whether the pictures are behind the time, and whether all of them are behind the state */
 let pair = [];
 let stale = true;
+let changed = true;
 
 function clamp(value, [low, high]) {
    return Math.min(high, Math.max(low, value));
@@ -74,7 +76,7 @@ function rebuild() {
    else beside = exactMotion(state.start === "angle" ? { release: state.other } : startOf(state.other), length, gravity);
    pair = [{ ...exact, name: nameOf(exact) }, { ...beside, name: state.compare === "small" ? say("smallName")
       : state.compare === "driven" ? say("drivenName") : nameOf(beside) }];
-   stale = true;
+   changed = true;
 }
 
 function nameOf({ regime, amplitude }) {

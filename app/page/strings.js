@@ -108,18 +108,18 @@ const strings = {
    howText: ["Exactly, at any time, by no integrator: with ω = √(g/l), r = θ′/2ω and k² = sin²(θ/2) + r² the pendulum "
       + "swings by sin(θ/2) = k sn(u, k) where k is below 1, and goes around by θ/2 = am(u, 1/k) where it is above "
       + "(DLMF 22.19). K, and sn, cn, dn, come from the arithmetic-geometric mean. It agrees with the library furiko to "
-      + "1e-9 rad for every start that is a millionth or more away from the separatrix. Energies are those of a true "
+      + "1e-9 rad over 1000 s; nearer to the separatrix than a ten-thousandth, over a shorter time. Energies are those of a true "
       + "pendulum over m l², zero at the height of the pivot; the small-angle motion does not keep them. Both pendulums "
       + "are drawn to the same scale.",
       "数値積分を使わず、どの時刻でも厳密解で計算しています。ω = √(g/l)、r = θ′/2ω、k² = sin²(θ/2) + r² とおくと、k < 1 のとき "
       + "sin(θ/2) = k sn(u, k)(行ったり来たり)、k > 1 のとき θ/2 = am(u, 1/k)(ぐるぐる回る)となります(DLMF 22.19)。"
-      + "K と sn, cn, dn は算術幾何平均で求めます。分離線から百万分の一以上離れた初期条件では、ライブラリ furiko と 1e-9 rad まで一致します。"
+      + "K と sn, cn, dn は算術幾何平均で求めます。ライブラリ furiko と 1000 秒にわたって 1e-9 rad まで一致します(分離線から一万分の一以内では、もっと短い時間だけ)。"
       + "エネルギーは本来の振り子のもの(ml² で割り、支点の高さを 0 とする)で、単振動では保存されません。"
       + "二つの振り子は同じ縮尺で描いています。"],
    keys: ["Keys: Space plays and pauses, the left and right arrows step; on a bob or dot the arrows move it.",
       "キー操作:スペースで再生・停止、左右の矢印で1コマずつ。重りや点の上では矢印で動かせます。"],
    try: ["Try this", "やってみよう"],
-   tryIt: ["Set it", "試す"],
+   tryIt: ["Try it", "試す"],
    previous: ["Back", "前へ"],
    next: ["Next", "次へ"],
    firstNote: ["note 1", "資料1「単振り子の話」"],

@@ -28,9 +28,10 @@ const grips = {
       },
       /* Thrown, if the hand was moving when it let go */
       drop(samples) {
+         if (samples.length < 2) return;
          const [first, last] = [samples[0], samples[samples.length - 1]];
          const rate = (last.value - first.value) / Math.max(0.016, (last.time - first.time) / 1000);
-         if (samples.length > 1 && Math.abs(rate) > 0.3) change(startAt(wrapped(last.value) / degree, rate));
+         if (Math.abs(rate) > 0.3) change(startAt(wrapped(last.value) / degree, rate));
       },
       key: (by) => change(startAt(clamp(wrapped(pair[0].at(0).angle) / degree + by.x, limits.angle), null)),
       value: () => [wrapped(pair[0].at(0).angle) / degree, -180, 180],

@@ -13,7 +13,7 @@ function readColours() {
    }
    colours.pair = [colours.first, colours.second];
    face = getComputedStyle(document.body).fontFamily;
-   stale = true;
+   changed = true;
 }
 
 /* A clean sheet of CSS pixels */
@@ -27,7 +27,7 @@ function sheet(id) {
    pen.setTransform(scale, 0, 0, scale, 0, 0);
    pen.clearRect(0, 0, width, height);
    pen.font = `12px ${face}`;
-   pen.lineJoin = "round";
+   pen.lineJoin = "bevel";
    pen.textBaseline = "alphabetic";
    return { pen, width, height };
 }
@@ -112,7 +112,7 @@ function drawCurve(pen, i, [from, to], interval, alpha, place) {
       const { angle, rate } = pair[i].at(time);
       const turn = Math.round(angle / (2 * Math.PI));
       const [x, y] = place(wrapped(angle), rate, time);
-      if (turn !== lastTurn || i === 1 && (first + n) % 8 > 4) pen.moveTo(x, y);
+      if (turn !== lastTurn || i === 1 && (first + n) % 6 > 3) pen.moveTo(x, y);
       else pen.lineTo(x, y);
       lastTurn = turn;
    }
@@ -197,7 +197,7 @@ function drawTrace(motions) {
    const { xOf, yOf, box } = axes(pen, { x: 40, y: 8, width: width - 52, height: height - 30 }, [from, from + span],
       [-1.08 * limit, 1.08 * limit], span / (width < 500 ? 5 : 10), limit / 2);
    within(pen, box, () => {
-      for (const i of [1, 0]) drawPastAndFuture(pen, i, [from, from + span], span / 960,
+      for (const i of [1, 0]) drawPastAndFuture(pen, i, [from, from + span], span / 640,
          (angle, rate, time) => [xOf(time), yOf(angle / degree)]);
    });
    for (const i of [1, 0]) mark(pen, i, xOf(state.time), yOf(wrapped(motions[i].angle) / degree), 6);
@@ -263,7 +263,7 @@ function drawPhase(motions) {
          stroke(pen, colours.muted, 2);
       }
       const once = Math.min(period, 20 * Math.PI / omega);
-      for (const i of [1, 0]) drawPastAndFuture(pen, i, [Math.max(0, state.time - once), state.time + once], once / 480,
+      for (const i of [1, 0]) drawPastAndFuture(pen, i, [Math.max(0, state.time - once), state.time + once], once / 320,
          (angle, rate) => [xOf(angle / degree), yOf(rate)]);
    });
    drawFixedPoints(pen, xOf, yOf, most);
@@ -347,10 +347,10 @@ function draw() {
    drawStage(motions);
    drawEnergy(motions);
    drawTrace(motions);
-   drawPeriod();
+   if (changed) drawPeriod();
    drawPhase(motions);
    placeHandles();
    /* Nobody reads digits that change at every frame. */
    if (!state.playing || performance.now() - lastReadings > 100) showReadings(motions);
-   stale = false;
+   [stale, changed] = [false, false];
 }
