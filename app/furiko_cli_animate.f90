@@ -250,4 +250,4 @@ contains
    include 'furiko_cli_page.inc'
 
 end module furiko_cli_animate
-! rooms: 1501747972
+! rooms: 1237930903

@@ -42,6 +42,7 @@ contains
       !> That motion, if it is not the small-angle one
       type(motion), intent(in), optional :: other
       type(output) :: place
+      character(len=:), allocatable :: made
       type(c_ptr) :: streams(7)
       real(wp) :: angles(most_frames, 2), length, time
       integer :: count, i
@@ -68,7 +69,9 @@ contains
       call run('ffmpeg', '-version', 'apt-get install ffmpeg', [streams(1), streams(6), streams(7)])
       call run('gnuplot', '-d', 'apt-get install gnuplot-nox', streams(:3))
       call run('ffmpeg', arguments_of(form, count/length), '', [streams(2), streams(4), streams(5)])
-      call place%add(text_of(streams(4)))
+      made = text_of(streams(4))
+      if (len(made) == 0) call give_up('ffmpeg', text_of(streams(5)))
+      call place%add(made)
       call place%close()
    end subroutine film
 
@@ -150,7 +153,8 @@ contains
    end function arguments_of
 
 
-   !> Run a program to its end; does not return where it is not there, or fails, or answers nothing.
+   !> Run a program to its end; does not return where it is not there or fails. What it has written is not read
+   !> here: C's library would not go back to the start of it for the next program.
    subroutine run(program, arguments, remedy, streams)
       character(len=*), intent(in) :: program
       character(len=*), intent(in) :: arguments
@@ -165,19 +169,22 @@ contains
       if (code == not_found) then
          call complain('furiko animate: no ' // program // ' here (' // remedy // '), so no film is written')
          call quit(3)
-      else if (code /= 0 .or. text_of(streams(2)) == '') then
-         call complain('furiko animate: ' // program // ' made no film: ' // first_line(text_of(streams(3))))
-         call quit()
+      else if (code /= 0) then
+         call give_up(program, text_of(streams(3)))
       end if
    end subroutine run
 
 
-   pure function first_line(text) result(line)
-      character(len=*), intent(in) :: text
+   !> Say what a program has said, its first line; does not return.
+   subroutine give_up(program, said)
+      character(len=*), intent(in) :: program
+      character(len=*), intent(in) :: said
       character(len=:), allocatable :: line
 
-      line = text(:index(text // nl, nl) - 1)
+      line = said(:index(said // nl, nl) - 1)
       if (line == '') line = 'it has said nothing; is there room in $TMPDIR or /tmp?'
-   end function first_line
+      call complain('furiko animate: ' // program // ' made no film: ' // line)
+      call quit()
+   end subroutine give_up
 
 end module furiko_cli_movie

@@ -66,15 +66,15 @@ const strings = {
    angleReading: ["Angle, °", "角度 θ、°"],
    rateReading: ["Rate, rad/s", "角速度 θ′、rad/s"],
    energyReading: ["Energy, s<sup>−2</sup>", "エネルギー、s<sup>−2</sup>"],
-   behind: ["After {n} swings the exact pendulum is {lag} swing behind.",
+   behind: ["After {n} swings the exact pendulum is behind by {lag} swings.",
       "{n} 回振れて、厳密な振り子は {lag} 周期だけ遅れています。"],
-   ahead: ["After {n} swings the exact pendulum is {lag} swing ahead.",
+   ahead: ["After {n} swings the exact pendulum is ahead by {lag} swings.",
       "{n} 回振れて、厳密な振り子は {lag} 周期だけ進んでいます。"],
    turns: ["It has gone around {n} times.", "{n} 回まわりました。"],
    forever: ["It needs for ever to reach the top.", "頂点に着くまでに無限の時間がかかります。"],
-   stepped: ["The orange one is stepped by the Runge-Kutta method (RK4), 200 steps a small swing; the blue one is exact "
+   stepped: ["The square one is stepped by the Runge-Kutta method (RK4), 200 steps a small swing; the round one is exact "
       + "and knows neither damping nor drive. Their angles differ by {error}°.",
-      "橙はルンゲ・クッタ法(RK4、微小振動の1周期に200ステップ)による数値解、青は減衰も強制力もない厳密解です。"
+      "四角はルンゲ・クッタ法(RK4、微小振動の1周期に200ステップ)による数値解、丸は減衰も強制力もない厳密解です。"
       + "角度の差は {error}° です。"],
    stageCaption: ["Drag the bob; let go at rest or throw it", "重りをつかんで放す、または投げてみよう"],
    stageLabel: ["Two pendulums on one pivot; the readings tell their angles",

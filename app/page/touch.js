@@ -89,7 +89,7 @@ function addGrip(id) {
       const { samples } = held;
       held = null;
       if (samples.length === 0) return;
-      grip.drop?.(samples.filter((sample) => event.timeStamp - sample.time < 80));
+      grip.drop?.(samples.filter((sample) => event.timeStamp - sample.time < 120));
       play(!stillness.matches);
       commit();
    };

@@ -327,7 +327,7 @@ function showReadings(motions) {
    });
    const { amplitude, ratio, regime } = pair[0];
    setText(find("period-reading"), regime === "rotation" ? say("noAmplitude") : say("longer", {
-      angle: shortly(amplitude, 1), ratio: written(ratio, 4), percent: written(100 * (ratio - 1), 2) }));
+      angle: shortly(amplitude, 1), ratio: written(ratio, 4), percent: written(100 * (ratio - 1), 1) }));
    setText(find("drift"), drift(motions));
 }
 
