@@ -8,8 +8,8 @@ module furiko_cli_animate
    use furiko_cli_movie, only : film
    use furiko_cli_number, only : shortest
    use furiko_cli_options, only : command, command_line, demand, option, word
-   use furiko_cli_pendulum, only : amplitude_of, gravity_of, gravity_option, length_of, length_option, motion_of, &
-      pendulum_of, start_options
+   use furiko_cli_pendulum, only : amplitude_of, gravity_of, gravity_option, length_of, length_option, &
+      motion_of, pendulum_of, start_options
    use furiko_cli_quantity, only : angle_of, in_degrees, no_unit, number_of, seconds
    use furiko_word_arithmetic_dp, only : words
    implicit none
@@ -28,22 +28,22 @@ contains
       type(command) :: usage
 
       usage = command('animate', 'the pendulum in motion, as a page for the browser', '-o FILE', 0, &
-         'The pendulum in motion: one page that any browser opens from disk, without a network. The bob is ' // &
-         'dragged and thrown; beside the exact motion stands the small-angle one, another swing, or one with ' // &
-         'damping and drive; with trace, phase portrait, energy, and the period against the amplitude. The ' // &
-         'options say how it begins; without a start it is let go at 90 degrees.', &
-         'With --gif or --mp4 it writes a film of whole periods instead, which goes round without a jump: drawn ' // &
-         'by gnuplot, put together by ffmpeg. A motion beside it is shown for as many periods as bring it back, ' // &
-         'nearly. Without one of the two programs the code is 3. The page keeps its state in its address, ' // &
-         'under the names of these options.', &
+         'The pendulum in motion: one page that any browser opens from disk, without a network. The bob ' // &
+         'is dragged and thrown; beside the exact motion stands the small-angle one, another swing, or ' // &
+         'one with damping and drive; with trace, phase portrait, energy, and the period against the ' // &
+         'amplitude. The options say how it begins; without a start it is let go at 90 degrees.', &
+         'With --gif or --mp4 it writes a film of whole periods instead, which goes round without a ' // &
+         'jump: drawn by gnuplot, put together by ffmpeg. A motion beside it is shown for as many ' // &
+         'periods as bring it back, nearly. Without one of the two programs the code is 3. The page ' // &
+         'keeps its state in its address, under the names of these options.', &
          'furiko animate -o pendulum.html --release 30 --compare 90', options=[ &
          option('--output', 'FILE', '', 'the page to write, - for standard output; a file of that name ' // &
             'is replaced once the new one is whole', 'o'), &
          option('--gif', 'FILE', '', 'a film as GIF, in place of the page'), &
          option('--mp4', 'FILE', '', 'a film as MP4, in place of the page'), &
          start_options, &
-         option('--compare', 'WITH', '', 'beside it: small (the small-angle motion), driven (by Runge-Kutta), ' // &
-            'or the amplitude of another swing'), &
+         option('--compare', 'WITH', '', 'beside it: small (the small-angle motion), driven (by ' // &
+            'Runge-Kutta), or the amplitude of another swing'), &
          option('--linear', 'C', '0.2', 'with --compare driven: friction C times the rate, 1/s'), &
          option('--drive', 'F', '0', 'with --compare driven: drive F cos(W t), rad/s^2'), &
          option('--drive-frequency', 'W', '2', 'of the drive, rad/s'), &
@@ -102,14 +102,17 @@ contains
       type(word) :: compare
       type(words) :: other
 
-      if (line%given('--at') .or. line%given('--language')) call line%reject('--at and --language are the page''s')
+      if (line%given('--at') .or. line%given('--language')) then
+         call line%reject('--at and --language are the page''s')
+      end if
       body = pendulum_of(line)
       compare = line%value('--compare')
       select case (compare%text)
       case ('driven')
          call line%reject('a driven motion does not come back, so there is no film of it')
       case ('', 'small')
-         call film(line, file, form, start_of(line, body), merge(body%small_period(), 0.0_wp, compare%text /= ''))
+         call film(line, file, form, start_of(line, body), &
+            merge(body%small_period(), 0.0_wp, compare%text /= ''))
       case default
          other = amplitude_of(compare)
          if (line%given('--amplitude')) then
@@ -163,8 +166,8 @@ contains
       call add_company(line, text)
       if (line%given('--length')) call add(text, 'length', in_range(length_of(line), line%value('--length'), &
          0.1_wp, 100.0_wp, '0.1 to 100 m'))
-      if (line%given('--gravity')) call add(text, 'gravity', in_range(gravity_of(line), line%value('--gravity'), &
-         0.1_wp, 30.0_wp, '0.1 to 30 m/s^2'))
+      if (line%given('--gravity')) call add(text, 'gravity', in_range(gravity_of(line), &
+         line%value('--gravity'), 0.1_wp, 30.0_wp, '0.1 to 30 m/s^2'))
       if (line%given('--at')) call add(text, 'time', in_range(number_of(line%value('--at'), seconds), &
          line%value('--at'), 0.0_wp, 3600.0_wp, '0 to 3600 s'))
       language = line%value('--language')
@@ -176,7 +179,8 @@ contains
    subroutine add_company(line, text)
       type(command_line), intent(in) :: line
       character(len=:), allocatable, intent(inout) :: text
-      character(len=17), parameter :: forces(3) = [character(len=17) :: '--linear', '--drive', '--drive-frequency']
+      character(len=17), parameter :: forces(3) = [character(len=17) :: '--linear', '--drive', &
+         '--drive-frequency']
       real(wp), parameter :: most(3) = [10.0_wp, 50.0_wp, 20.0_wp]
       type(word) :: compare
       type(words) :: other

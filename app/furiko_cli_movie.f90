@@ -42,8 +42,6 @@ contains
       !> That motion, if it is not the small-angle one
       type(motion), intent(in), optional :: other
       type(output) :: place
-      character(len=:), allocatable :: made
-      type(c_ptr) :: streams(7)
       real(wp) :: angles(most_frames, 2), length, time
       integer :: count, i
 
@@ -57,23 +55,36 @@ contains
          angles(i, 2) = path%harmonic_angle(time)
          if (present(other)) angles(i, 2) = other%angle(time)
       end do
-
       place = open_output(file)
+      call place%add(made(script_of(angles(:count, :), min(pi, path%amplitude()), beside > 0.0_wp), &
+         arguments_of(form, count/length), folder_of(file)))
+      call place%close()
+   end subroutine film
+
+
+   !> What ffmpeg makes of the frames that gnuplot draws by a script
+   function made(script, arguments, folder) result(bytes)
+      character(len=*), intent(in) :: script
+      !> What ffmpeg is told
+      character(len=*), intent(in) :: arguments
+      !> Where temporaries lie if nowhere else
+      character(len=*), intent(in) :: folder
+      character(len=:), allocatable :: bytes
+      type(c_ptr) :: streams(7)
+      integer :: i
+
       do i = 1, size(streams)
-         streams(i) = nameless_file(folder_of(file))
+         streams(i) = nameless_file(folder)
          if (.not. c_associated(streams(i))) call fail('a temporary file')
       end do
-      if (.not. append_text(streams(1), script_of(angles(:count, :), reach_of(path), beside > 0.0_wp))) &
-         call fail('a temporary file')
+      if (.not. append_text(streams(1), script)) call fail('a temporary file')
       ! Asked first, so that no frames are drawn for nothing
       call run('ffmpeg', '-version', 'apt-get install ffmpeg', [streams(1), streams(6), streams(7)])
       call run('gnuplot', '-d', 'apt-get install gnuplot-nox', streams(:3))
-      call run('ffmpeg', arguments_of(form, count/length), '', [streams(2), streams(4), streams(5)])
-      made = text_of(streams(4))
-      if (len(made) == 0) call give_up('ffmpeg', text_of(streams(5)))
-      call place%add(made)
-      call place%close()
-   end subroutine film
+      call run('ffmpeg', arguments, '', [streams(2), streams(4), streams(5)])
+      bytes = text_of(streams(4))
+      if (len(bytes) == 0) call give_up('ffmpeg', text_of(streams(5)))
+   end function made
 
 
    !> How many periods bring the motion beside it back to a hundredth of a swing, or as nearly as fits
@@ -96,15 +107,6 @@ contains
    end function whole_periods
 
 
-   !> How far the bob swings out, at most half a turn
-   pure function reach_of(path) result(reach)
-      type(motion), intent(in) :: path
-      real(wp) :: reach
-
-      reach = min(pi, path%amplitude())
-   end function reach_of
-
-
    !> One frame a row of angles; gnuplot writes them one behind the other.
    function script_of(angles, reach, two) result(text)
       real(wp), intent(in) :: angles(:,:)
@@ -117,12 +119,13 @@ contains
 
       arc = fixed(-90 - reach*180/pi, 3) // ':' // fixed(-90 + reach*180/pi, 3)
       bobs = "'' using 1:2 every ::i::i with points pt 7 ps 4 lc rgb '#0072b2'"
-      if (two) bobs = "'' using (0):(0):3:4 every ::i::i with vectors nohead lw 1.5 dt 2 lc rgb '#b84a00', " // &
-         "'' using 3:4 every ::i::i with points pt 5 ps 3 lc rgb '#b84a00', " // bobs
+      if (two) bobs = "'' using (0):(0):3:4 every ::i::i with vectors nohead lw 1.5 dt 2 " // &
+         "lc rgb '#b84a00', '' using 3:4 every ::i::i with points pt 5 ps 3 lc rgb '#b84a00', " // bobs
       text = "set terminal pngcairo size 400,400 background '#ffffff'" // nl // &
          'unset border' // nl // 'unset tics' // nl // 'unset key' // nl // &
          'set margins 0,0,0,0' // nl // 'set xrange [-1.2:1.2]' // nl // 'set yrange [-1.2:1.2]' // nl // &
-         'set object 1 circle at 0,0 size 1 arc [' // arc // "] nowedge fs empty border lc rgb '#c4cad2'" // nl // &
+         'set object 1 circle at 0,0 size 1 arc [' // arc // "] nowedge fs empty " // &
+         "border lc rgb '#c4cad2'" // nl // &
          '$data << END' // nl
       do i = 1, size(angles, 1)
          do row = 1, 2
@@ -131,7 +134,8 @@ contains
          text = text // nl
       end do
       text = text // 'END' // nl // 'do for [i=0:' // whole_text(size(angles, 1) - 1) // '] {' // nl // &
-         "plot $data using (0):(0):1:2 every ::i::i with vectors nohead lw 2 lc rgb '#1b1f24', " // bobs // nl // &
+         "plot $data using (0):(0):1:2 every ::i::i with vectors nohead lw 2 lc rgb '#1b1f24', " // &
+         bobs // nl // &
          '}' // nl
    end function script_of
 
@@ -153,8 +157,8 @@ contains
    end function arguments_of
 
 
-   !> Run a program to its end; does not return where it is not there or fails. What it has written is not read
-   !> here: C's library would not go back to the start of it for the next program.
+   !> Run a program to its end; does not return where it is not there or fails. What it has written is not
+   !> read here: C's library would not go back to the start of it for the next program.
    subroutine run(program, arguments, remedy, streams)
       character(len=*), intent(in) :: program
       character(len=*), intent(in) :: arguments
