@@ -154,7 +154,7 @@ function translate() {
 function showLesson() {
    const name = "lesson" + state.lesson;
    const links = Object.fromEntries(Object.entries(notes).map(([key, [address, text]]) =>
-      [key, `<a href="${address}" lang="ja">${say(text)}</a>`]));
+      [key, `<a href="${address}" hreflang="ja">${say(text)}</a>`]));
    find("lesson-count").textContent = `${state.lesson + 1} / ${lessons.length}`;
    find("lesson-title").textContent = say(name);
    find("lesson-text").innerHTML = say(name + "Text", links);
@@ -174,6 +174,7 @@ function goTo(lesson) {
 /* From the address, at the beginning and when the user goes back in it */
 function open(text) {
    readFragment(text);
+   if (state.time > 0) state.playing = false;
    translate();
    show();
 }

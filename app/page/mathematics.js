@@ -56,28 +56,80 @@ function hyperbolic(u) {
    return { sn: Math.tanh(u), cn: 1 / Math.cosh(u), dn: 1 / Math.cosh(u) };
 }
 
-/* Sine and cosine of half an angle in degrees, and its whole turns. From degrees since 180 less the angle is
-   exact there: next to the top all depends on it. */
+/* Numbers of two words, [high, low]: what 1 - k^2 is made of, since next to the separatrix it is a small difference.
+   Dekker 1971; a number of one word may stand for its two. */
+function exactSum(a, b) {
+   const total = a + b;
+   const part = total - a;
+   return [total, (a - (total - part)) + (b - part)];
+}
+
+function exactProduct(a, b) {
+   const halves = (x) => {
+      const big = 134217729 * x;
+      const high = big - (big - x);
+      return [high, x - high];
+   };
+   const [[a1, a2], [b1, b2]] = [halves(a), halves(b)];
+   return [a * b, a1 * b1 - a * b + a1 * b2 + a2 * b1 + a2 * b2];
+}
+
+function plus([a, low], [b, lower]) {
+   const [total, rest] = exactSum(a, b);
+   return exactSum(total, rest + (low + lower));
+}
+
+function times([a, low], [b, lower]) {
+   const [product, rest] = exactProduct(a, b);
+   return exactSum(product, rest + (a * lower + low * b));
+}
+
+function dividedBy([a, low], b) {
+   const quotient = a / b;
+   const [product, rest] = exactProduct(quotient, b);
+   return exactSum(quotient, (a - product - rest + low) / b);
+}
+
+/* sin^2 of half an angle of at most 90 degrees, by the sine's series */
+function squaredSine(degrees) {
+   const x = dividedBy(times(degrees, [Math.PI, 1.2246467991473532e-16]), 360);
+   const square = times(x, x);
+   let series = [1, 0];
+   for (let n = 13; n > 0; n--) {
+      const [a, b] = dividedBy(times(square, series), 2 * n * (2 * n + 1));
+      series = plus([1, 0], [-a, -b]);
+   }
+   const sine = times(x, series);
+   return times(sine, sine);
+}
+
+/* Of half an angle in degrees: whole turns, sine and cosine, and the cosine's square in two words. An angle of seven
+   decimals is taken for those decimals, so that 179.999999 is a millionth from the top, and not nearly so. */
 function halfAngle(degrees) {
    const turns = Math.round(degrees / 360);
-   const rest = degrees - 360 * turns;
-   const cosine = Math.abs(rest) > 90 ? Math.sin((180 - Math.abs(rest)) * degree / 2)
-      : Math.cos(rest * degree / 2);
-   return { turns, sine: Math.sin(rest * degree / 2), cosine };
+   const rest = Math.abs(degrees - 360 * turns);
+   const units = Math.round(1e7 * rest);
+   const decimal = units / 1e7 === rest;
+   const squared = rest > 90
+      ? squaredSine(decimal ? dividedBy([1.8e9 - units, 0], 1e7) : exactSum(180, -rest))
+      : plus([1, 0], squaredSine(decimal ? dividedBy([units, 0], 1e7) : [rest, 0]).map((word) => -word));
+   return { turns, squared, cosine: Math.sqrt(squared[0]), sine: Math.sin((degrees - 360 * turns) * degree / 2) };
 }
 
 /* The exact motion from a start: { release } or { amplitude } (through the bottom, swinging out to it), both in
    degrees, or { angle, rate } in degrees and rad/s. As furiko's `started`: with r = rate/(2 omega),
-   k^2 = sin^2(angle/2) + r^2 and 1 - k^2 = (cos(angle/2) - r) (cos(angle/2) + r) keep their digits on both sides
-   of the separatrix. DLMF 22.19. */
+   k^2 = sin^2(angle/2) + r^2 and 1 - k^2 = cos^2(angle/2) - r^2, each from the state, on both sides of the separatrix.
+   DLMF 22.19. */
 function exactMotion(start, length, gravity) {
    const omega = Math.sqrt(gravity / length);
-   const { turns, sine, cosine } = halfAngle(start.release ?? start.amplitude ?? start.angle);
+   const { turns, sine, cosine, squared } = halfAngle(start.release ?? start.amplitude ?? start.angle);
    const direction = (start.amplitude ?? start.rate) < 0 ? -1 : 1;
    const fromBottom = "amplitude" in start;
-   const r = fromBottom ? 0 : Math.abs(start.rate ?? 0) / (2 * omega);
+   const rate = fromBottom ? 0 : start.rate ?? 0;
+   const r = Math.abs(rate) / (2 * omega);
    const k = Math.hypot(sine, r);
-   const gap = (cosine - r) * (cosine + r);
+   const rr = dividedBy(times(exactProduct(rate, rate), [length, 0]), 4 * gravity);
+   const gap = plus(squared, rr.map((word) => -word))[0];
    const shared = { omega, k };
    if (k === 0) return { ...shared, ratio: 1, period: 2 * Math.PI / omega, amplitude: 0,
       regime: "libration", at: () => ({ angle: 2 * Math.PI * turns, rate: 0 }) };

@@ -67,9 +67,9 @@ const strings = {
    rateReading: ["Rate, rad/s", "角速度 θ′、rad/s"],
    energyReading: ["Energy, s<sup>−2</sup>", "エネルギー、s<sup>−2</sup>"],
    behind: ["After {n} swings the exact pendulum is behind by {lag} swings.",
-      "{n} 回振れて、厳密な振り子は {lag} 周期だけ遅れています。"],
+      "{n} 回振れたところで、本当の振り子は {lag} 周期遅れています。"],
    ahead: ["After {n} swings the exact pendulum is ahead by {lag} swings.",
-      "{n} 回振れて、厳密な振り子は {lag} 周期だけ進んでいます。"],
+      "{n} 回振れたところで、本当の振り子は {lag} 周期進んでいます。"],
    turns: ["It has gone around {n} times.", "{n} 回まわりました。"],
    forever: ["It needs for ever to reach the top.", "頂点に着くまでに無限の時間がかかります。"],
    stepped: ["The square one is stepped by the Runge-Kutta method (RK4), 200 steps a small swing; the round one is exact "
@@ -108,12 +108,12 @@ const strings = {
    howText: ["Exactly, at any time, by no integrator: with ω = √(g/l), r = θ′/2ω and k² = sin²(θ/2) + r² the pendulum "
       + "swings by sin(θ/2) = k sn(u, k) where k is below 1, and goes around by θ/2 = am(u, 1/k) where it is above "
       + "(DLMF 22.19). K, and sn, cn, dn, come from the arithmetic-geometric mean. It agrees with the library furiko to "
-      + "1e-9 rad over 1000 s; nearer to the separatrix than a ten-thousandth, over a shorter time. Energies are those of a true "
+      + "1e-9 rad over 1000 s, next to the separatrix too. Energies are those of a true "
       + "pendulum over m l², zero at the height of the pivot; the small-angle motion does not keep them. Both pendulums "
       + "are drawn to the same scale.",
       "数値積分を使わず、どの時刻でも厳密解で計算しています。ω = √(g/l)、r = θ′/2ω、k² = sin²(θ/2) + r² とおくと、k < 1 のとき "
       + "sin(θ/2) = k sn(u, k)(行ったり来たり)、k > 1 のとき θ/2 = am(u, 1/k)(ぐるぐる回る)となります(DLMF 22.19)。"
-      + "K と sn, cn, dn は算術幾何平均で求めます。ライブラリ furiko と 1000 秒にわたって 1e-9 rad まで一致します(分離線から一万分の一以内では、もっと短い時間だけ)。"
+      + "K と sn, cn, dn は算術幾何平均で求めます。分離線のすぐ近くでも、ライブラリ furiko と 1000 秒にわたって 1e-9 rad まで一致します。"
       + "エネルギーは本来の振り子のもの(ml² で割り、支点の高さを 0 とする)で、単振動では保存されません。"
       + "二つの振り子は同じ縮尺で描いています。"],
    keys: ["Keys: Space plays and pauses, the left and right arrows step; on a bob or dot the arrows move it.",
