@@ -73,7 +73,7 @@ contains
          entry('surface', 'sn(u, m) as a surface over u and m', '', 0, surface_figure), &
          entry('spectrum', 'Fourier coefficients of the swing against amplitude', '', 0, spectrum_figure), &
          entry('flow', 'where every angle and rate of the pendulum go next', '', 0, flow_figure), &
-         entry('tension', 'pull on the string, and where it goes slack', '60,90,120,150', 8, &
+         entry('tension', 'pull on the string, and where it goes slack', '60,90,120,150', 6, &
          tension_figure), &
          entry('driven', 'orbits of a driven pendulum with friction, periodic and not', '', 0, &
          driven_figure), &

@@ -167,7 +167,7 @@ contains
       if (present(log)) self%log_y = index(log, 'y') > 0
       head = merge(36.0_wp, 2.0_wp, self%sheet%has_title)
       width = (self%sheet%width - 4.0_wp)/place(2)
-      height = (self%sheet%height - head - 30.0_wp)/place(4)
+      height = (self%sheet%height - head - 32.0_wp)/place(4)
       self%frame = box((place(1) - 1)*width + merge(84.0_wp, 60.0_wp, y_label /= ''), &
          place(1)*width - 18.0_wp, &
          head + (place(3) - 1)*height + merge(30.0_wp, 14.0_wp, present(cell)), &
@@ -186,8 +186,10 @@ contains
       if (self%log_y) call self%say('set logscale y')
       call self%say('set xrange [' // to_text(x_range(1)) // ':' // to_text(x_range(2)) // ']')
       call self%say('set yrange [' // to_text(y_range(1)) // ':' // to_text(y_range(2)) // ']')
-      call self%say('set xlabel "' // x_label // '"')
-      ! Not by gnuplot's ylabel, which moves with the width of the numbers: in line below each other
+      ! Not as gnuplot's own labels: ylabel moves with the width of the numbers, and an SVG file has no xlabel
+      ! where a margin is set.
+      call put_text(self, x_label, box(self%frame%left, self%frame%right, self%frame%bottom + 50, &
+         self%frame%bottom + 50), ' center')
       call put_text(self, y_label, box(self%frame%left - 70, self%frame%left - 70, self%frame%top, &
          self%frame%bottom), ' center rotate by 90')
    end subroutine panel
@@ -261,11 +263,16 @@ contains
    end subroutine draw
 
 
-   !> An arrowhead on the last curve, behind its point of a number
+   !> An arrowhead on the last curve, behind its point of a number; on a curve that is not much larger there is
+   !> none
    subroutine head(self, point)
       class(figure), intent(inout) :: self
       integer, intent(in) :: point
+      real(wp), parameter :: small = 40.0_wp
 
+      associate (x => self%strokes(size(self%strokes))%x)
+         if (maxval(x) - minval(x) < small) return
+      end associate
       associate (points => self%curves(size(self%curves))%points)
          call self%say('set arrow from ' // to_text(points(point, 1)) // ', ' // to_text(points(point, &
             2)) // &
@@ -299,13 +306,29 @@ contains
       character(len=*), intent(in) :: y_label
       character(len=*), intent(in) :: z_label
 
-      call self%say('set xlabel "' // x_label // '"; set ylabel "' // y_label // '" offset 2; set ' // &
-         'zlabel "' // &
-         z_label // '" rotate by 90')
+      call self%say('unset label')
+      call put_text(self, x_label, at(0.36_wp, 0.90_wp), ' center')
+      call put_text(self, y_label, at(0.80_wp, 0.83_wp), ' left')
+      call put_text(self, z_label, at(0.06_wp, 0.55_wp), ' center rotate by 90')
       call self%say('set border 895; set xyplane at -1.1; set view 55, 20; set hidden3d back offset 0')
       call self%say('set xtics 2; set ytics 0.25; set ztics 1')
       call self%say("splot data skip head index 0 using 2:3:4 with lines lw 1 lc rgb " // colours(blue) // &
          " title '" // self%curves(1)%name // "'")
+
+   contains
+
+      !> A point of the paper, in parts of it
+      pure function at(right, below)
+         real(wp), intent(in) :: right
+         real(wp), intent(in) :: below
+         type(box) :: at
+
+         at%left = right*self%sheet%width
+         at%right = at%left
+         at%top = below*self%sheet%height
+         at%bottom = at%top
+      end function at
+
    end subroutine space
 
 

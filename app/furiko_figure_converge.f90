@@ -37,6 +37,7 @@ contains
          'Relative error of K against work, a panel for each amplitude. All digits of a double, errors ' // &
          'below 1.1e-16, are there after')
       do i = 1, size(amplitudes)
+         if (i > 1) self%about = self%about // ', and after'
          call self%panel('terms, subintervals, steps', 'relative error of <K>', [0.9_wp, 1e4_wp], &
             [lowest, 10.0_wp], log='xy', cell=[i, size(amplitudes), 1, 1])
          call self%say('set xtics 10 format "10^{%T}"; set mxtics 10; set ytics 1e-20, 100 format ' // &
@@ -56,6 +57,7 @@ contains
       type(amplitude), intent(in) :: amplitude_
       type(figure), intent(inout) :: self
       type(words) :: exact, m, mc
+      character(len=:), allocatable :: work
       integer, allocatable :: n(:)
       real(wp), allocatable :: errors(:)
       integer :: i
@@ -66,9 +68,11 @@ contains
       exact = agm(mc)
       do i = 1, size(names)
          call follow(i, m, mc, exact, n, errors)
-         self%about = self%about // merge('; ', ', ', i == 1) // to_text(n(size(n))) // ' ' // trim(units(i))
+         work = to_text(n(size(n)))
+         if (errors(size(n)) > rounding) work = 'more than ' // work
+         self%about = self%about // trim(merge(' ', ',', i == 1)) // ' ' // work // ' ' // trim(units(i))
          call self%add(trim(names(i)) // ' ' // amplitude_%label, real(n, wp), errors)
-         call self%draw(pens(i), trim(names(i)) // ': ' // to_text(n(size(n))), style=trim(looks(i)))
+         call self%draw(pens(i), trim(names(i)) // ': ' // work, style=trim(looks(i)))
       end do
       self%about = self%about // ' at ' // amplitude_%label
    end subroutine add_methods

@@ -35,7 +35,7 @@ contains
       end associate
       call begin_driven(self, 'Orbits of a pendulum with friction and a drive, angle against angular ' // &
          'rate, after the start is forgotten. Driven by 0.9 the orbit closes after one period of the ' // &
-         'drive, by 1.07 after two; by 1.5 it never closes, here for six periods. Rings mark the ' // &
+         'drive, by 1.07 after two; by 1.5 it never closes, here for six periods. Discs mark the ' // &
          'beginning of each period.')
       call add_orbit(0.9_wp, 'one period', 80, 1, 1, self)
       call add_orbit(1.07_wp, 'two periods', 80, 2, 2, self)
@@ -79,7 +79,7 @@ contains
          call self%draw(blue, dash=1)
          call self%add('periods of a = ' // fixed(drive, 2), angle(steps/every::steps/every), &
             rate(steps/every::steps/every))
-         call self%draw(orange, style='points pt 6 lw 2 ps 1.0*scale')
+         call self%draw(orange, style='points pt 7 ps 0.7*scale')
       end associate
       call self%plot()
    end subroutine add_orbit

@@ -137,7 +137,7 @@ contains
    subroutine surface_figure(amplitudes, self)
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
-      integer, parameter :: rows = 13, row = 50
+      integer, parameter :: rows = 13, row = 44
       real(wp) :: m(rows*row), u(rows*row)
       integer :: i
 

@@ -71,10 +71,10 @@ contains
       call self%draw(blue, style='lines lw 3')
       call self%add('harmonic ' // amplitude_%label, time, harmonic*sin(bob%frequency()*time))
       call self%draw(black, dash=orange)
-      call self%caption('<θ>_0 = ' // amplitude_%label // ';  exact (blue): <T> = ' // &
-         fixed(period_ratio(amplitude_%radians), 4) // ' <T>_h;  harmonic (dotted): to 2<k> = 2 ' // &
-         'sin(<θ>_0/2) = ' // &
-         fixed(harmonic, 4) // trim(merge('°   ', ' rad ', degrees)))
+      call self%caption('<θ>_0 = ' // amplitude_%label // ', <T> = ' // &
+         fixed(period_ratio(amplitude_%radians), 4) // &
+         ' <T>_h;  dotted: 2<k> sin(<ωt>), 2<k> = 2 sin(<θ>_0/2) = ' // fixed(harmonic, 4) // &
+         trim(merge('°', '  ', degrees)))
       call self%plot()
    end subroutine add_panel
 

@@ -90,8 +90,10 @@ contains
       angle = ramp(-180.0_wp, 180.0_wp, 144)
       call self%add('separatrix', [angle, angle(144:1:-1)], &
          2*cos([angle, angle(144:1:-1)]*degree/2)*[1, spread(1, 1, 144), spread(-1, 1, 144)])
-      call self%draw(black, trim(merge('separatrix, <E> = 2 <mgl>', repeat(' ', 25), labelled)), &
+      call self%draw(black, trim(merge('separatrix', '          ', labelled)), &
          style='lines lw 2.5 dt (10, 5)')
+      call self%head(110)
+      call self%head(255)
    end subroutine add_separatrix
 
 

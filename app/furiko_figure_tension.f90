@@ -30,7 +30,9 @@ contains
          'Pull along the rod against the angle, from the bottom to the turning point, for each ' // &
          'amplitude. At the bottom it is more than the weight. Above 90 degrees it falls below zero on ' // &
          'the way up, where a rod pushes and a string goes slack')
-      call self%panel('angle <θ>  (degrees)', 'tension / weight', [0.0_wp, 180.0_wp], [-1.2_wp, 5.2_wp])
+      call self%panel('angle <θ>  (degrees)', 'tension / weight', [0.0_wp, 180.0_wp], [-1.2_wp, 5.2_wp], &
+         cell=[1, 1, 1, 1])
+      call self%caption('from the bottom to the amplitudes that the curves bear')
       call self%say('set xtics 30; set ytics 1')
       do i = 1, size(amplitudes)
          path = body%swinging(amplitudes(i)%radians)
@@ -44,7 +46,7 @@ contains
          end if
          time = ramp(0.0_wp, path%period()/4, 120)
          call self%add('amplitude ' // amplitudes(i)%label, path%angle(time)/degree, path%tension(time))
-         call self%draw(blue, 'amplitude ' // amplitudes(i)%label, dash=merge(1, 3, modulo(i, 2) == 1))
+         call self%draw(blue, amplitudes(i)%label, dash=merge(1, 3, modulo(i, 2) == 1))
       end do
       self%about = self%about // '.'
       call self%add('zero', [0.0_wp, 180.0_wp], [0.0_wp, 0.0_wp])
