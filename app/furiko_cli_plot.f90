@@ -31,7 +31,7 @@ module furiko_cli_plot
    !> What a figure is called, what it shows, its amplitudes where it takes any, and who makes it
    type :: entry
       character(len=9) :: name = ''
-      character(len=72) :: about = ''
+      character(len=64) :: about = ''
       character(len=24) :: amplitudes = ''
       integer :: most = 0
       procedure(maker), pointer, nopass :: make => null()
@@ -104,12 +104,11 @@ contains
 
    subroutine plot_command(line)
       type(command_line), intent(in) :: line
-      integer, parameter :: most_bytes = 1000, most_pixels = 8000
       type(entry) :: chosen
       type(word) :: amplitudes, file, title
-      type(picture) :: place
-      type(amplitude), allocatable :: amplitudes_(:)
+      type(amplitude), allocatable :: wanted(:)
       type(figure) :: content
+      type(picture) :: place
       integer :: extent(2)
       real(wp) :: scale
 
@@ -125,28 +124,33 @@ contains
       if (file%text == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
       if (line%given('--amplitude') .and. amplitudes%text == '') call reject('--amplitude is empty')
       call check_text('-o', file%text)
-      call check_text('--title', title%text)
-      if (len(title%text) > most_bytes) call reject('--title is longer than 1000 bytes')
-      if (.not. is_utf8(title%text)) call reject('--title is not UTF-8')
-      if (index(title%text, ']]>') > 0) call reject('--title has ]]> in it, which no SVG may hold')
-      if (has_noncharacter(title%text)) then
-         call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
-      end if
+      call check_title(title%text)
       if (.not. is_picture_name(file%text)) then
          call reject("-o '" // file%text // "' does not end in .svg, .png or .pdf")
       end if
-      call read_size(line%value('--size'), extent)
-      scale = scale_of(line%value('--scale'))
-      if (maxval(extent)*scale > most_pixels + 0.5_wp) call reject('--size times --scale is more than ' // &
-         '8000 pixels')
-      amplitudes_ = amplitudes_of(chosen, amplitudes%text)
-      call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), &
-         line%given('--data'), &
+      call read_size(line%value('--size'), line%value('--scale'), extent, scale)
+      wanted = amplitudes_of(chosen, amplitudes%text)
+
+      ! All that can be refused has been, before any work.
+      call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), line%given('--data'), &
          place)
       content%sheet = paper(extent(1), extent(2), title%text /= '')
-      call chosen%make(amplitudes_, content)
+      call chosen%make(wanted, content)
       call draw(place, content, title%text)
    end subroutine plot_command
+
+
+   !> A title is text of an SVG file.
+   subroutine check_title(title)
+      character(len=*), intent(in) :: title
+      integer, parameter :: most_bytes = 1000
+
+      call check_text('--title', title)
+      if (len(title) > most_bytes) call reject('--title is longer than 1000 bytes')
+      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
+      if (index(title, ']]>') > 0) call reject('--title has ]]> in it, which no SVG may hold')
+      if (has_noncharacter(title)) call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
+   end subroutine check_title
 
 
    !> What the picture calls itself: its title, or what the list says of the figure
@@ -206,10 +210,16 @@ contains
    end subroutine print_list
 
 
-   !> The size from WxH.
-   subroutine read_size(given, extent)
+   !> The size from WxH, and by how much it grows.
+   subroutine read_size(given, given_scale, extent, scale)
       type(word), intent(in) :: given
+      type(word), intent(in) :: given_scale
       integer, intent(out) :: extent(2)
+      real(wp), intent(out) :: scale
+      !> Below these, labels have no room.
+      integer, parameter :: least(2) = [600, 400]
+      integer, parameter :: most = 8000
+      type(words) :: number
       integer(int64) :: side(2)
       integer :: cross
       logical :: valid(2)
@@ -217,22 +227,15 @@ contains
       cross = index(given%text, 'x')
       call read_whole(given%text(:max(0, cross - 1)), side(1), valid(1))
       call read_whole(given%text(cross + 1:), side(2), valid(2))
-      if (.not. all(valid)) call reject("--size '" // given%text // "' is not as 800x500")
-      call demand(all(side >= [600, 400] .and. side <= 8000), given, '600x400 to 8000x8000 pixels, ' // &
-         'where labels have room')
+      if (.not. all(valid .and. side >= least .and. side <= most)) call reject("--size '" // &
+         given%text // "' is not as 800x500, from 600x400 to 8000x8000 pixels")
       extent = int(side)
-   end subroutine read_size
-
-
-   function scale_of(given) result(scale)
-      type(word), intent(in) :: given
-      real(wp) :: scale
-      type(words) :: number
-
-      number = number_of(given, no_unit)
+      number = number_of(given_scale, no_unit)
       scale = number%hi
-      call demand(scale >= 0.75_wp .and. scale <= 8.0_wp, given, '0.75 to 8')
-   end function scale_of
+      call demand(scale >= 0.75_wp .and. scale <= 8.0_wp, given_scale, '0.75 to 8')
+      call demand(maxval(extent)*scale < most + 0.5_wp, given_scale, 'what keeps ' // given%text // &
+         ' within 8000 pixels')
+   end subroutine read_size
 
 
    !> The amplitudes of a list with commas between, or the figure's own if it is empty.

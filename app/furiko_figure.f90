@@ -26,7 +26,7 @@ module furiko_figure
    !> Dashes other than a pen's own, by the pen they belong to
    integer, parameter :: solid = 1, dotted = 5
 
-   !> Of a label, in pixels: its height, a letter's width (that of a wide face), and its distance from the curve
+   !> Of a label, in pixels: its height, a letter's width (that of a wide face), its distance from the curve
    real(wp), parameter :: height_of_text = 17.0_wp, width_of_letter = 8.2_wp, gap = 5.0_wp
    !> A label that other curves are this far from needs no better place.
    real(wp), parameter :: room = 14.0_wp
@@ -92,7 +92,7 @@ module furiko_figure
       type(curve), allocatable :: curves(:)
       !> The commands, one a line
       character(len=:), allocatable :: script
-      !> Of the panel at hand: curves as `plot` takes them, strokes, rectangles that are taken, the frame, ranges
+      !> Of the panel at hand: curves as `plot` takes them, strokes, rectangles that are taken, frame, ranges
       character(len=:), allocatable, private :: drawn
       type(stroke), allocatable, private :: strokes(:)
       type(box), allocatable, private :: taken(:)
@@ -202,7 +202,7 @@ contains
       character(len=*), intent(in) :: name
       real(wp), intent(in) :: x(:)
       real(wp), intent(in) :: y(:)
-      !> The columns behind x and y
+      !> The columns behind x and y; 0 if not given
       real(wp), intent(in), optional :: more(:, :)
       type(curve), allocatable :: longer(:)
       integer :: n
@@ -212,6 +212,7 @@ contains
       longer(:n) = self%curves
       longer(n + 1)%name = name
       allocate(longer(n + 1)%points(size(x), size(self%columns)))
+      longer(n + 1)%points = 0.0_wp
       longer(n + 1)%points(:, 1) = x
       longer(n + 1)%points(:, 2) = y
       if (present(more)) longer(n + 1)%points(:, 3:) = more
@@ -263,8 +264,7 @@ contains
    end subroutine draw
 
 
-   !> An arrowhead on the last curve, behind its point of a number; on a curve that is not much larger there is
-   !> none
+   !> An arrowhead on the last curve, behind its point of a number; none on a curve that is hardly larger
    subroutine head(self, point)
       class(figure), intent(inout) :: self
       integer, intent(in) :: point
@@ -447,7 +447,8 @@ contains
                if (.not. is_within(place, self%frame)) cycle
                score = clearance(self, place, which)
                if (own%side > 0 .and. modulo(side, 8) /= modulo(own%side, 8)) score = score - room
-               if (score <= highest) cycle
+               ! Of places as good as each other the first, on every machine
+               if (score <= highest + 0.01_wp) cycle
                highest = score
                best = place
             end do
@@ -610,8 +611,8 @@ contains
    end function part
 
 
-   !> All curves as rows `curve,x,y`, two blank lines between them, where gnuplot sees the next, and one where a
-   !> line is broken.
+   !> All curves as rows `curve,x,y`, two blank lines between them, where gnuplot sees the next, and one
+   !> where a line is broken.
    pure function csv(self) result(text)
       class(figure), intent(in) :: self
       character(len=:), allocatable :: text
@@ -707,7 +708,7 @@ contains
    end function width_of
 
 
-   !> x with so many decimals: 0.300
+   !> x with so many decimals: 0.300; 58 with none
    pure function fixed(x, decimals) result(text)
       real(wp), intent(in) :: x
       integer, intent(in) :: decimals
@@ -717,6 +718,7 @@ contains
       write(form, '(a, i0, a)') '(f40.', decimals, ')'
       write(buffer, form) x
       text = trim(adjustl(buffer))
+      if (decimals == 0) text = text(:len(text) - 1)
    end function fixed
 
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> A pendulum with friction and a drive, θ'' = −sin θ − θ'/2 + a cos(2t/3), of Baker and Gollub (Chaotic
-!> Dynamics, 1990): orbits that close and one that does not, and the section of the latter.
+!> A pendulum with friction and a drive, θ'' = −sin θ − θ'/2 + a cos(2t/3), of Baker and Gollub
+!> (Chaotic Dynamics, 1990): orbits that close and one that does not, and the section of the latter.
 !>
 !> Neighbours on the chaotic orbit part four times a period of the drive. So few periods of it are drawn, of
 !> one start or of many, that what rounding adds stays far below a pixel.

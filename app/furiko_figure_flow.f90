@@ -4,13 +4,12 @@
 module furiko_figure_flow
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_figure, only : amplitude, blue, column, figure
-   use furiko_figure_phase, only : add_separatrix, mark_fixed_points
+   use furiko_figure_phase, only : add_separatrix, flow_at, mark_fixed_points
    implicit none
    private
    public :: flow_figure
 
 
-   real(wp), parameter :: degree = acos(-1.0_wp)/180
    integer, parameter :: columns = 20, rows = 12
 
 
@@ -39,7 +38,7 @@ contains
          [-3.0_wp, 3.0_wp], cell=[1, 1, 1, 1])
       call self%say('set xtics 45; set ytics 1')
       call self%caption('dashed: the separatrix;  disc: rest;  rings: upright')
-      call self%add('flow', angle, rate, more=reshape([rate/degree, -sin(angle*degree)], [columns*rows, 2]))
+      call self%add('flow', angle, rate, more=flow_at(angle, rate))
       call self%field(blue)
       call add_separatrix(self, labelled=.false.)
       call mark_fixed_points(self, labelled=.false.)

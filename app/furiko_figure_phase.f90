@@ -6,7 +6,7 @@ module furiko_figure_phase
    use furiko_figure, only : amplitude, black, blue, column, figure, fixed, orange, ramp, solid
    implicit none
    private
-   public :: phase_figure, add_separatrix, mark_fixed_points
+   public :: phase_figure, add_separatrix, flow_at, mark_fixed_points
 
 
    real(wp), parameter :: pi = acos(-1.0_wp)
@@ -85,16 +85,32 @@ contains
    subroutine add_separatrix(self, labelled)
       type(figure), intent(inout) :: self
       logical, intent(in) :: labelled
-      real(wp) :: angle(145)
+      real(wp) :: angle(145), angles(289), rates(289)
 
       angle = ramp(-180.0_wp, 180.0_wp, 144)
-      call self%add('separatrix', [angle, angle(144:1:-1)], &
-         2*cos([angle, angle(144:1:-1)]*degree/2)*[1, spread(1, 1, 144), spread(-1, 1, 144)])
-      call self%draw(black, trim(merge('separatrix', '          ', labelled)), &
-         style='lines lw 2.5 dt (10, 5)')
+      angles = [angle, angle(144:1:-1)]
+      rates = 2*cos(angles*degree/2)*[spread(1, 1, 145), spread(-1, 1, 144)]
+      if (size(self%columns) == 4) then
+         call self%add('separatrix', angles, rates, more=flow_at(angles, rates))
+      else
+         call self%add('separatrix', angles, rates)
+      end if
+      call self%draw(black, trim(merge('separatrix', '          ', labelled)), style='lines lw 2.5 dt ' // &
+         '(10, 5)')
       call self%head(110)
       call self%head(255)
    end subroutine add_separatrix
+
+
+   !> The changes of angle in degrees and rate in a time of sqrt(l/g), a row for each point
+   pure function flow_at(angle, rate) result(flow)
+      real(wp), intent(in) :: angle(:)
+      real(wp), intent(in) :: rate(:)
+      real(wp) :: flow(size(angle), 2)
+
+      flow(:, 1) = rate/degree
+      flow(:, 2) = -sin(angle*degree)
+   end function flow_at
 
 
    !> A disc where rest is stable, rings where it is not
