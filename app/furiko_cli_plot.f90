@@ -132,8 +132,8 @@ contains
       wanted = amplitudes_of(chosen, amplitudes%text)
 
       ! All that can be refused has been, before any work.
-      call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), line%given('--data'), &
-         place)
+      call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), &
+         line%given('--data'), place)
       content%sheet = paper(extent(1), extent(2), title%text /= '')
       call chosen%make(wanted, content)
       call draw(place, content, title%text)

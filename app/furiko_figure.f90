@@ -11,7 +11,7 @@ module furiko_figure
    implicit none
    private
    public :: figure, amplitude, column, paper, black, blue, orange, green, purple, solid, dotted
-   public :: broken, fixed, pause, significant, plain, ramp, to_text
+   public :: broken, fixed, line_break, significant, plain, ramp, to_text
 
 
    character(len=*), parameter :: nl = new_line('a')
@@ -196,7 +196,7 @@ contains
 
 
    !> Add a curve: its points, or, in a figure of more than two columns, rows of numbers; all finite but for
-   !> rows of [[pause]], where a line is broken or a row of a grid ends.
+   !> rows of [[line_break]], where a line is broken or a row of a grid ends.
    subroutine add(self, name, x, y, more)
       class(figure), intent(inout) :: self
       character(len=*), intent(in) :: name
@@ -601,7 +601,7 @@ contains
       logical, intent(in) :: logarithmic
       real(wp) :: part
 
-      if (is_pause(x)) then
+      if (is_line_break(x)) then
          part = -1e6_wp
       else if (logarithmic) then
          part = log(max(x, tiny(x))/range(1))/log(range(2)/range(1))
@@ -637,7 +637,7 @@ contains
 
       text = ''
       do i = 1, size(self%points, 1)
-         if (.not. is_pause(self%points(i, 1))) then
+         if (.not. is_line_break(self%points(i, 1))) then
             text = text // self%name
             do j = 1, size(self%points, 2)
                text = text // ',' // to_text(self%points(i, j))
@@ -649,19 +649,19 @@ contains
 
 
    !> In place of a number: here a line is broken.
-   pure function pause()
-      real(wp) :: pause
+   pure function line_break()
+      real(wp) :: line_break
 
-      pause = huge(pause)
-   end function pause
+      line_break = huge(line_break)
+   end function line_break
 
 
-   elemental function is_pause(x)
+   elemental function is_line_break(x)
       real(wp), intent(in) :: x
-      logical :: is_pause
+      logical :: is_line_break
 
-      is_pause = x >= huge(x)
-   end function is_pause
+      is_line_break = x >= huge(x)
+   end function is_line_break
 
 
    !> A coordinate of a line that is broken where another coordinate, the angle, jumps by more than `jump`
@@ -676,7 +676,7 @@ contains
       first = 1
       do i = 2, size(values)
          if (abs(angle(i) - angle(i - 1)) <= jump) cycle
-         line = [line, values(first:i - 1), pause()]
+         line = [line, values(first:i - 1), line_break()]
          first = i
       end do
       line = [line, values(first:)]

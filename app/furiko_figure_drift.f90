@@ -63,8 +63,9 @@ contains
          call mark(swings*1.0_wp, top)
          call mark(swings*ratio, top)
          ! A head longer than its line would say nothing.
-         if (swings*(ratio - 1) > 0.02_wp*until) &
+         if (swings*(ratio - 1) > 0.02_wp*until) then
             call self%arrow([swings*1.0_wp, swings*ratio], spread(1.15_wp*top, 1, 2), black, .true.)
+         end if
          call self%note('ten swings end ' // late // ' <T>_h late', until, 1.34_wp*top, 'right')
       end associate
       call self%plot()

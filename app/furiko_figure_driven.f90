@@ -3,8 +3,9 @@
 !> A pendulum with friction and a drive, θ'' = −sin θ − θ'/2 + a cos(2t/3), of Baker and Gollub
 !> (Chaotic Dynamics, 1990): orbits that close and one that does not, and the section of the latter.
 !>
-!> Neighbours on the chaotic orbit part four times a period of the drive. So few periods of it are drawn, of
-!> one start or of many, that what rounding adds stays far below a pixel.
+!> Neighbours on the chaotic orbit are on average 2.9 times as far apart after each period of the drive. So
+!> few periods of it are drawn, of one start or of many, that what rounding adds stays far below a pixel.
+!> Across the attractor, what is left of a start falls by exp(-5.8) in a period.
 module furiko_figure_driven
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : rk4
@@ -89,7 +90,7 @@ contains
    subroutine poincare_figure(amplitudes, self)
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
-      integer, parameter :: starts = 400, forgotten = 10, kept = 3
+      integer, parameter :: starts = 400, forgotten = 5, kept = 3
       real(wp), dimension(starts*kept) :: angle, rate
       real(wp) :: state(2)
       integer :: i, j
@@ -110,7 +111,7 @@ contains
          'strange attractor.')
       call self%panel('angle <θ>  (degrees)', 'angular rate  d<θ>/d<t> / √(<g>/<l>)', [-180.0_wp, &
          180.0_wp], &
-         [-1.0_wp, 3.0_wp], cell=[1, 1, 1, 1])
+         [-0.5_wp, 3.0_wp], cell=[1, 1, 1, 1])
       call self%say('set xtics 45; set ytics 1')
       call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + 1.5 cos(2<t>/3), once a ' // &
          'period of the drive')

@@ -5,7 +5,7 @@ module furiko_figure_functions
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : ellipe_mc, ellipeinc_m, ellipf_m, ellipk_mc, jacobi_am_m, jacobi_cn_m, jacobi_dn_m, &
       jacobi_sn_m
-   use furiko_figure, only : amplitude, black, blue, column, figure, fixed, green, orange, pause, ramp
+   use furiko_figure, only : amplitude, black, blue, column, figure, fixed, green, line_break, orange, ramp
    implicit none
    private
    public :: functions_figure, integrals_figure, surface_figure
@@ -144,7 +144,7 @@ contains
       associate (unused => amplitudes)
       end associate
       do i = 1, rows
-         u((i - 1)*row + 1:i*row) = [ramp(0.0_wp, last, row - 2), pause()]
+         u((i - 1)*row + 1:i*row) = [ramp(0.0_wp, last, row - 2), line_break()]
          m((i - 1)*row + 1:i*row) = 1 - (1 - (i - 1.0_wp)/(rows - 1))**2
       end do
       call self%begin([column('u', 'argument'), column('m', 'parameter'), column('sn', 'sn(u, m)')], &

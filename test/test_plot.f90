@@ -753,32 +753,24 @@ contains
    end subroutine append_empty
 
 
-   !> The longest line in the paths of a piece of SVG: the others are samples in a legend
-   function path_of(svg) result(longest)
+   !> The first line in the paths of a piece of SVG: those behind it are axes
+   function path_of(svg) result(line)
       character(len=*), intent(in) :: svg
-      type(polyline) :: longest
+      type(polyline) :: line
       character(len=:), allocatable :: rest
       real(wp), allocatable :: numbers(:)
-      integer :: at, i, points
+      integer :: at, i
 
-      allocate(longest%x(0), longest%y(0))
-      rest = svg
+      rest = svg(index(svg, ' d=''M') + len(' d=''M'):)
+      rest = rest(:index(rest, '''') - 1)
       do i = 1, len(rest)
          if (rest(i:i) == 'L') rest(i:i) = ' '
       end do
-      do
-         at = scan(rest, 'M')
-         if (at == 0) exit
-         rest = rest(at + 1:)
-         at = verify(rest // 'M', '0123456789.,- ')
-         points = count([(rest(i:i) == ',', i=1, at - 1)])
-         if (points <= size(longest%x)) cycle
-         allocate(numbers(2*points))
-         read(rest(:at - 1), *) numbers
-         longest%x = numbers(1::2)
-         longest%y = numbers(2::2)
-         deallocate(numbers)
-      end do
+      at = verify(rest // 'M', '0123456789.,- ' // achar(9) // nl)
+      allocate(numbers(2*count([(rest(i:i) == ',', i=1, at - 1)])))
+      read(rest(:at - 1), *) numbers
+      line%x = numbers(1::2)
+      line%y = numbers(2::2)
    end function path_of
 
 
