@@ -66,6 +66,7 @@ contains
       m = words(1 - cos(amplitude_%radians/2)**2)
       mc = words(1 - m%hi)
       exact = agm(mc)
+      work = ''
       do i = 1, size(names)
          call follow(i, m, mc, exact, n, errors)
          work = to_text(n(size(n)))

@@ -21,12 +21,12 @@ contains
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
       real(wp), dimension(columns*rows) :: angle, rate
-      integer :: i
+      integer :: i, j
 
       associate (unused => amplitudes)
       end associate
-      angle = [(-180 + 360*(modulo(i, columns) + 0.5_wp)/columns, i=0, columns*rows - 1)]
-      rate = [(-3 + 6*(i/columns + 0.5_wp)/rows, i=0, columns*rows - 1)]
+      angle = [((-180 + 360*(i - 0.5_wp)/columns, i=1, columns), j=1, rows)]
+      rate = [((-3 + 6*(j - 0.5_wp)/rows, i=1, columns), j=1, rows)]
       call self%begin([column('angle_deg', 'angle in degrees'), &
          column('rate_over_sqrt_g_by_l', 'angular rate over sqrt(g/l)'), &
          column('angle_rate_deg', 'change of the angle, degrees in a time of sqrt(l/g)'), &

@@ -38,7 +38,7 @@ contains
          path = body%swinging(amplitudes(i)%radians)
          slack = path%slack_angle()/degree
          ! NaN where it never does
-         if (slack == slack) then
+         if (abs(slack) <= huge(slack)) then
             self%about = self%about // ', at ' // fixed(slack, 1) // ' degrees for ' // amplitudes(i)%label
             call self%add('slack of ' // amplitudes(i)%label, [slack], [0.0_wp])
             call self%draw(orange, 'slack at ' // fixed(slack, 1) // '°', style='points pt 6 lw 2 ps ' // &

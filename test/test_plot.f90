@@ -626,7 +626,7 @@ contains
       if (index(look, ' with points') > 0) then
          call check(error, occurrences(group, '<use ') == size(curve%x), name // ': number of points')
       else if (index(look, ' with vectors') > 0) then
-         call check(error, occurrences(group, '<path ') >= 2*size(curve%x), name // ': number of arrows')
+         call check(error, occurrences(group, 'M') == 2*size(curve%x), name // ': number of arrows')
       else if (index(look, ':4 with') > 0 .or. curve%broken) then
          call check(error, occurrences(group, 'L') > size(curve%x)/2, name // ': a line is missing')
       else
