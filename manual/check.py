@@ -16,7 +16,7 @@ TRANSLATED = {"README.md": "README.ja.md", "doc/pendulum-exactly.md": "doc/pendu
 # Sentences at which readers stumbled
 WORN = ["made right", "names what is missing", "(over the weight)", "what q says", "what k says", "what the ratio says",
         "is no number", "are no numbers", "pay for their last digit"]
-PROSE = ["README.md", "CONTRIBUTING.md", "doc/*.md", "manual/*.toml", "app/*.f90", "include/*", "src/*/*.inc", "src/*/*.[fF]90"]
+PROSE = ["README.md", "CONTRIBUTING.md", "doc/*.md", "manual/*.toml", "app/*.f90", "include/*", "build/manual/source/reference/*.md"]
 SECTION = re.compile(r"^(##+) .*?(?: *<!-- (.*) -->)?$", re.M)
 
 

@@ -69,4 +69,4 @@ module furiko_motion
    public :: pendulum_real128, motion_real128
 #endif
 end module furiko_motion
-! rooms: 2024355108
+! rooms: 3647892688
