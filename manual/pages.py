@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The pages of the reference, one a family of manual/families.toml: python3 manual/pages.py FOLDER
+"""The pages of the reference, one a family of manual/families.toml: python3 manual/pages.py FOLDER, of which reference/ and index.md are written
 
 A page has all parts, or this stops and says which is missing; a public name without a page stops it as well.
 """
@@ -35,6 +35,8 @@ class Book:
             family["members"] = [name for name in of.matching(family["names"], of.public_names())
                                  if name not in self.page_of]
             self.page_of.update((name, page) for name in family["members"])
+        # An entry may be written before its functions are
+        self.families = {page: family for page, family in self.families.items() if family["members"]}
         self.lacking = []
         missing = sorted(set(of.public_names()) - set(self.page_of))
         if missing:
@@ -172,14 +174,14 @@ def other_languages(page, family):
     else:
         yield "In C: these functions are Fortran's alone."
     yield ""
-    f77 = [line for name in family["members"] for line in of.f77_names().get(name, [])]
+    f77 = list(of.f77_calls(family["members"]))
     if f77:
         yield "In Fortran 77 ([guide](../doc/f77.md)):\n"
         yield from code("fortran", f77)
         yield ""
     python = [f"furiko.{name}({of.python_names()[name]})" for name in family["members"] if name in of.python_names()]
     if python:
-        yield "In Python:\n"
+        yield "In Python ([guide](../doc/python.md)):\n"
         yield from code("python", python)
         yield ""
 
@@ -349,7 +351,8 @@ def details(book, family):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    source = pathlib.Path(sys.argv[1])
+    folder = source / "reference"
     folder.mkdir(parents=True, exist_ok=True)
     book = Book()
     for page in book.families:
@@ -360,6 +363,10 @@ def main():
             for name, page in sorted(book.page_of.items())]
     listing = "\n".join(table(["name", "page"], rows))
     (folder / "names.md").write_text(f"# All names\n\nEvery public name of the library, {len(rows)} of them.\n\n{listing}\n")
+    # A page of doc/ that the index does not name is among the subjects
+    index = (of.ROOT / "manual/index.md").read_text()
+    others = sorted(page for path in (of.ROOT / "doc").glob("*.md") if f"\n{(page := f'doc/{path.stem}')}\n" not in index)
+    (source / "index.md").write_text(index.replace("@others@", "\n".join(others)))
     print(f"{len(book.families)} pages, {len(rows)} names, each with {len(PARTS)} parts")
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What the manual is made from: each function here reads one source of the repository."""
+import ast
 import fnmatch
 import functools
 import gzip
@@ -128,25 +129,26 @@ def c_prototypes():
     return {name: re.sub(r"\s+", " ", prototype) for prototype, name in found}
 
 
-@functools.cache
-def f77_names():
-    """{name: lines} of doc/f77.md: rows of a table whose first cell is a name of the library"""
-    path = ROOT / "doc/f77.md"
-    rows = re.findall(r"^\| *`(\w+)(?:\([^`]*\))?` *\|(.*)\|$", path.read_text(), re.M) if path.exists() else []
-    found = {}
-    for name, cells in rows:
-        found.setdefault(name, []).extend(re.findall(r"`([^`]+)`", cells))
-    return found
+def f77_calls(names):
+    """Of doc/f77.md: the calls in the rows whose last column has one of these names"""
+    page = ROOT / "doc/f77.md"
+    for _, header, rows in tables(page) if page.exists() else ():
+        for row in rows if header[-1] == "in modern Fortran" else ():
+            if matching(re.findall(r"`([^`]+)`", row[-1]), names):
+                yield from re.findall(r"`([^`]+)`", row[0])
 
 
 @functools.cache
 def python_names():
-    """{name: arguments} of the Python package, whose functions are written out"""
+    """{name: arguments} of the Python package's functions, without types"""
     found = {}
-    for path in sorted((ROOT / "python").rglob("*.py*")) if (ROOT / "python").exists() else ():
-        if path.suffix in (".py", ".pyi"):
-            for name, arguments in re.findall(r"^def (\w+)\(([^)]*)\)", path.read_text(), re.M):
-                found.setdefault(name, arguments)
+    for path in sorted((ROOT / "python/src").rglob("*.py")):
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, ast.FunctionDef):
+                for argument in ast.walk(node.args):
+                    if isinstance(argument, ast.arg):
+                        argument.annotation = None
+                found.setdefault(node.name, ast.unparse(node.args))
     return found
 
 
