@@ -15,14 +15,18 @@ module furiko_driven_steps
    use furiko_driven_scheme, only : driven_scheme
    implicit none
    private
-   public :: driven_pendulum, driven_state, driven_steps, driven_periods, driven_block, driven_ran, &
-      driven_left
+   public :: driven_pendulum, driven_state, driven_steps, driven_periods, driven_set, driven_get
+   public :: driven_block, driven_ran, driven_left
+   public :: driven_damping, driven_quadratic, driven_torque, driven_amplitude, driven_frequency, driven_phase
 
 
    !> Members that go side by side: calls are best with a multiple of this
    integer, parameter :: driven_block = 64
    !> What a state says: it may go on; or it was no number or became too large, and has stopped
    integer, parameter :: driven_ran = 0, driven_left = 1
+   !> The constants of a member by number, for [[driven_set]] and [[driven_get]]
+   integer, parameter :: driven_damping = 1, driven_quadratic = 2, driven_torque = 3, driven_amplitude = 4, &
+      driven_frequency = 5, driven_phase = 6
 
 
    !> A member's constants, of any sign unless said otherwise; a structure constructor makes one.
@@ -137,6 +141,47 @@ contains
       end do
       !$omp end parallel do
    end subroutine driven_periods
+
+
+   !> Change one constant of a member, as a sweep does
+   elemental subroutine driven_set(pendulum, which, value)
+      type(driven_pendulum), intent(inout) :: pendulum
+      !> driven_damping ... driven_phase; nothing is changed for another number
+      integer, intent(in) :: which
+      real(wp), intent(in) :: value
+
+      select case (which)
+      case (driven_damping)
+         pendulum%damping = value
+      case (driven_quadratic)
+         pendulum%quadratic = value
+      case (driven_torque)
+         pendulum%torque = value
+      case (driven_amplitude)
+         pendulum%amplitude = value
+      case (driven_frequency)
+         pendulum%frequency = value
+      case (driven_phase)
+         pendulum%phase = value
+      end select
+   end subroutine driven_set
+
+
+   !> One constant of a member; NaN where there is none of that number
+   elemental function driven_get(pendulum, which) result(value)
+      type(driven_pendulum), intent(in) :: pendulum
+      !> driven_damping ... driven_phase
+      integer, intent(in) :: which
+      real(wp) :: value
+
+      associate (p => pendulum)
+         value = nan
+         if (which < 1 .or. which > 6) return
+         associate (all => [p%damping, p%quadratic, p%torque, p%amplitude, p%frequency, p%phase])
+            value = all(which)
+         end associate
+      end associate
+   end function driven_get
 
 
    !> A block of members, in units of a step; who cannot go, and who is not there to fill it up, rests.
