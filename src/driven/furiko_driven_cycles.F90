@@ -219,10 +219,10 @@ contains
       real(wp), intent(out) :: thresholds(:)
       !> How many of them have been found
       integer, intent(out) :: found
-      type(driven_state) :: cycle(size(points)*2**size(thresholds))
+      type(driven_state) :: cycle(size(points)*2**max(size(thresholds) - 1, 0))
       type(driven_pendulum) :: p
       real(wp) :: map(2, 2), gap, before
-      integer :: n
+      integer :: i, n
       logical :: good
 
       p = pendulum
@@ -230,13 +230,17 @@ contains
       cycle(:n) = points
       gap = 4.0_wp*step
       before = driven_get(p, which)
-      do found = 0, size(thresholds) - 1
+      good = .true.
+      found = 0
+      do i = 1, size(thresholds)
+         if (i > 1) call double_cycle(scheme, p, which, before + 0.3_wp*gap, map, n, cycle, good)
+         if (.not. good) return
          call driven_doubling(scheme, p, which, 0.25_wp*gap, cycle(:n), map, good)
          if (.not. good) return
-         thresholds(found + 1) = driven_get(p, which)
-         if (found > 0) gap = (thresholds(found + 1) - before)/4.669_wp
-         before = thresholds(found + 1)
-         call double_cycle(scheme, p, which, before + 0.3_wp*gap, map, n, cycle, good)
+         thresholds(i) = driven_get(p, which)
+         if (i > 1) gap = (thresholds(i) - before)/4.669_wp
+         before = thresholds(i)
+         found = i
       end do
    end subroutine driven_cascade
 
@@ -273,7 +277,8 @@ contains
          both%rate = [cycle(:n)%rate + s*along(2, :), cycle(:n)%rate - s*along(2, :)]
          both%status = driven_ran
          call driven_cycle(scheme, pendulum, both, twice, turns, good)
-         if (good) good = distance(both(:n), both(n + 1:)) > 1.0e-5_wp .and. distance(both(:n), cycle(:n)) < 0.5_wp
+         if (good) good = distance(both(:n), both(n + 1:)) > 1.0e-5_wp .and. distance(both(:n), &
+            cycle(:n)) < 0.5_wp
          if (good) exit
       end do
       n = 2*n
@@ -374,3 +379,4 @@ contains
       end do
    end subroutine correct
 end module furiko_driven_cycles
+! rooms: 3759241635

@@ -70,3 +70,4 @@ contains
       end do
    end function scheme_of
 end module furiko_driven_scheme
+! rooms: 1522845922

@@ -15,7 +15,8 @@ module furiko_driven_steps
    use furiko_driven_scheme, only : driven_scheme
    implicit none
    private
-   public :: driven_pendulum, driven_state, driven_steps, driven_periods, driven_set, driven_get
+   public :: driven_pendulum, driven_state, driven_steps, driven_periods, driven_set, driven_get, &
+      driven_is_near
    public :: driven_block, driven_ran, driven_left
    public :: driven_damping, driven_quadratic, driven_torque, driven_amplitude, driven_frequency, driven_phase
 
@@ -61,7 +62,8 @@ module furiko_driven_steps
 
    ! Rates and constants are counted in steps: with the step as the unit of time, b h, c, I h^2, g h^2.
    type :: lanes
-      real(wp), dimension(driven_block) :: angle, rate, turns, h, gravity, linear, quadratic, torque, even, odd
+      real(wp), dimension(driven_block) :: angle, rate, turns, h, gravity, linear, quadratic, torque, &
+         even, odd
       logical :: left(driven_block)
       !> Columns of the tangent map
       real(wp) :: angles(driven_block, 2), rates(driven_block, 2)
@@ -133,7 +135,8 @@ contains
          last = min(i + block - 1, size(state))
          do j = 1, periods
             if (present(columns)) then
-               call driven_steps(scheme, pendulum(i:last), state(i:last), 0, scheme%steps, columns(:, :, i:last))
+               call driven_steps(scheme, pendulum(i:last), state(i:last), 0, scheme%steps, columns(:, &
+                  :, i:last))
             else
                call driven_steps(scheme, pendulum(i:last), state(i:last), 0, scheme%steps)
             end if
@@ -182,6 +185,21 @@ contains
          end associate
       end associate
    end function driven_get
+
+
+   !> Whether two states are within a tolerance, in angle (but for whole turns) and rate together
+   elemental function driven_is_near(a, b, tolerance) result(near)
+      type(driven_state), intent(in) :: a
+      type(driven_state), intent(in) :: b
+      real(wp), intent(in) :: tolerance
+      logical :: near
+      real(wp) :: apart
+
+      near = a%status == driven_ran .and. b%status == driven_ran
+      if (.not. near) return
+      apart = abs(a%angle - b%angle)
+      near = min(apart, abs(2*acos(-1.0_wp) - apart)) + abs(a%rate - b%rate) <= tolerance
+   end function driven_is_near
 
 
    !> A block of members, in units of a step; who cannot go, and who is not there to fill it up, rests.
@@ -238,7 +256,8 @@ contains
       type(driven_state), intent(in) :: s
       logical :: usable
 
-      usable = s%status == driven_ran .and. is_within(p%damping, far) .and. is_within(p%quadratic, far) .and. &
+      usable = s%status == driven_ran .and. is_within(p%damping, far) .and. is_within(p%quadratic, &
+         far) .and. &
          is_within(p%torque, far) .and. is_within(p%amplitude, far) .and. is_within(p%phase, far) .and. &
          is_within(p%frequency, far) .and. is_within(s%angle, far) .and. is_within(s%rate, far)
       if (usable) usable = p%frequency > 1.0_wp/far
@@ -444,3 +463,4 @@ contains
    include '../arithmetic/furiko_is_within.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
 end module furiko_driven_steps
+! rooms: 1592690293
