@@ -4,7 +4,7 @@
 !> Where driven pendulums end: attractors, basins of attraction, and how uncertain they are.
 module furiko_driven_basins
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_driven_cycles, only : driven_cycle, driven_multipliers
+   use furiko_driven_cycles, only : driven_cycle, driven_round
    use furiko_driven_rotation, only : driven_locking
    use furiko_driven_scheme, only : driven_scheme
    use furiko_driven_steps, only : driven_block, driven_is_near, driven_pendulum, driven_periods, &
@@ -76,8 +76,7 @@ contains
       type(driven_state), intent(in) :: state
       type(driven_state), intent(out) :: cycle(:)
       logical, intent(out) :: good
-      real(wp) :: map(2, 2)
-      integer(int64) :: turns
+      type(driven_round) :: round
       integer :: i
 
       cycle(1) = state
@@ -85,9 +84,9 @@ contains
          cycle(i) = cycle(i - 1)
          call driven_steps(scheme, [pendulum], cycle(i:i), 0, scheme%steps)
       end do
-      call driven_cycle(scheme, pendulum, cycle, map, turns, good)
-      if (good) good = maxval(abs(driven_multipliers(map))) < 1.0_wp
-      cycle%turns = turns
+      call driven_cycle(scheme, pendulum, cycle, round, good)
+      if (good) good = maxval(abs(round%multipliers)) < 1.0_wp
+      cycle%turns = round%turns
       cycle = cshift(cycle, minloc(cycle%angle, 1) - 1)
    end subroutine follow
 

@@ -9,7 +9,21 @@ module furiko_driven_cycles
       driven_steps
    implicit none
    private
-   public :: driven_cycle, driven_doubling, driven_cascade, driven_multipliers
+   public :: driven_cycle, driven_doubling, driven_cascade, driven_round
+
+
+   !> What once round a cycle does
+   type :: driven_round
+      !> The tangent map, in (angle, rate)
+      real(wp) :: map(2, 2)
+      !> Its determinant, as the product of those of the single periods, which keeps its digits: exp(-b n T)
+      !> where there is no quadratic damping
+      real(wp) :: area
+      !> Its eigenvalues, the larger one first: the cycle is stable where both are below 1 in size
+      complex(wp) :: multipliers(2)
+      !> Whole turns of the angle
+      integer(int64) :: turns
+   end type driven_round
 
 
    ! A place on a branch of cycles
@@ -29,25 +43,22 @@ contains
    !> map takes each to the next, and the last one to the first up to whole turns.
    !>
    !> All points are found together (multiple shooting), as n members that go one period each: rounding
-   !> does not grow along the cycle, whatever n is. `map` is the product of the n tangent maps; its
-   !> eigenvalues, [[driven_multipliers]], have the product exp(-b n T) where there is no quadratic damping.
+   !> does not grow along the cycle, whatever n is.
    !>
    !> With `half`, the map is half a period, seen in the mirror: (angle, rate) at t to (-angle, -rate) at
    !> t + T/2. Without a torque it maps solutions to solutions, and its fixed points are the orbits that
    !> are symmetric; the scheme's steps have to be even.
    !>
    !> The result is good to some 1e-15/abs(1 - multiplier), and to what the scheme's steps leave.
-   pure subroutine driven_cycle(scheme, pendulum, points, map, turns, found, half)
+   pure subroutine driven_cycle(scheme, pendulum, points, round, found, half)
       !> Method and steps to a period
       type(driven_scheme), intent(in) :: scheme
       !> Constants
       type(driven_pendulum), intent(in) :: pendulum
       !> A guess, and the cycle; as many as its periods
       type(driven_state), intent(inout) :: points(:)
-      !> The tangent map along the cycle, in (angle, rate)
-      real(wp), intent(out) :: map(2, 2)
-      !> Whole turns to a cycle
-      integer(int64), intent(out) :: turns
+      !> What once round it does
+      type(driven_round), intent(out) :: round
       !> Whether corrections became small; else nothing of the result is of use
       logical, intent(out) :: found
       !> Half a period, mirrored, instead of a period
@@ -60,11 +71,11 @@ contains
 
       size_of = huge(size_of)
       do i = 1, most
-         call shoot(scheme, pendulum, points, maps, rest, turns, half)
-         map = product_of(maps)
+         call shoot(scheme, pendulum, points, maps, rest, round%turns, half)
+         call go_round(maps, round)
          found = size_of < small
          if (found .or. .not. all(points%status == driven_ran)) return
-         call correct(maps, map, rest)
+         call correct(maps, round%map, rest)
          size_of = maxval(abs(rest))
          if (size_of > largest) rest = rest*(largest/size_of)
          points%angle = points%angle + rest(1, :)
@@ -74,32 +85,44 @@ contains
    end subroutine driven_cycle
 
 
-   !> Eigenvalues of a tangent map, the larger one first
-   pure function driven_multipliers(map) result(multipliers)
-      !> See [[driven_cycle]]
-      real(wp), intent(in) :: map(2, 2)
-      complex(wp) :: multipliers(2)
-      real(wp) :: mean, determinant, square, root
+   !> The tangent maps of all periods as one
+   pure subroutine go_round(maps, round)
+      real(wp), intent(in) :: maps(:, :, :)
+      type(driven_round), intent(inout) :: round
+      real(wp) :: mean, square, root
+      integer :: i
 
-      mean = 0.5_wp*(map(1, 1) + map(2, 2))
-      determinant = map(1, 1)*map(2, 2) - map(1, 2)*map(2, 1)
-      square = (0.5_wp*(map(1, 1) - map(2, 2)))**2 + map(1, 2)*map(2, 1)
-      root = sqrt(abs(square))
+      round%map = maps(:, :, 1)
+      round%area = determinant(maps(:, :, 1))
+      do i = 2, size(maps, 3)
+         round%map = matmul(maps(:, :, i), round%map)
+         round%area = round%area*determinant(maps(:, :, i))
+      end do
+      mean = 0.5_wp*(round%map(1, 1) + round%map(2, 2))
+      square = (0.5_wp*(round%map(1, 1) - round%map(2, 2)))**2 + round%map(1, 2)*round%map(2, 1)
       if (square < 0.0_wp) then
-         multipliers = [cmplx(mean, root, wp), cmplx(mean, -root, wp)]
+         round%multipliers = [cmplx(mean, sqrt(-square), wp), cmplx(mean, -sqrt(-square), wp)]
       else
          ! The smaller one from the product, where a difference would lose it
-         root = mean + sign(root, mean)
-         multipliers = [cmplx(root, 0.0_wp, wp), cmplx(0.0_wp, 0.0_wp, wp)]
-         if (abs(root) > 0.0_wp) multipliers(2) = cmplx(determinant/root, 0.0_wp, wp)
+         root = mean + sign(sqrt(square), mean)
+         round%multipliers = [cmplx(root, 0.0_wp, wp), cmplx(0.0_wp, 0.0_wp, wp)]
+         if (abs(root) > 0.0_wp) round%multipliers(2) = cmplx(round%area/root, 0.0_wp, wp)
       end if
-   end function driven_multipliers
+   end subroutine go_round
+
+
+   pure function determinant(map) result(area)
+      real(wp), intent(in) :: map(2, 2)
+      real(wp) :: area
+
+      area = map(1, 1)*map(2, 2) - map(1, 2)*map(2, 1)
+   end function determinant
 
 
    !> Where a cycle doubles its period: one of the constants is moved until a multiplier is -1, first in
    !> steps along the branch, then by false position. With `half`, see [[driven_cycle]], this is where a
    !> symmetric orbit loses its symmetry.
-   pure subroutine driven_doubling(scheme, pendulum, which, step, points, map, found, half)
+   pure subroutine driven_doubling(scheme, pendulum, which, step, points, round, found, half)
       !> Method and steps to a period
       type(driven_scheme), intent(in) :: scheme
       !> Constants, those of the start and those where the period doubles
@@ -110,8 +133,8 @@ contains
       real(wp), intent(in) :: step
       !> The cycle at the start (a guess will do), and where its period doubles
       type(driven_state), intent(inout) :: points(:)
-      !> Its tangent map there
-      real(wp), intent(out) :: map(2, 2)
+      !> What once round it does
+      type(driven_round), intent(out) :: round
       !> Whether a multiplier of -1 has been found
       logical, intent(out) :: found
       !> Half a period, mirrored, instead of a period
@@ -123,14 +146,14 @@ contains
 
       h = step
       b = place(driven_get(pendulum, which), 0.0_wp, points)
-      call go_to(scheme, pendulum, which, b, b, b%value, c, map, found, half)
+      call go_to(scheme, pendulum, which, b, b, b%value, c, round, found, half)
       found = found .and. c%f > 0.0_wp
       if (.not. found) return
       b = c
       do i = 1, most
          if (b%f < 0.0_wp .or. abs(h) < 1.0e-12_wp*abs(b%value)) exit
          if (i == 1) a = b
-         call go_to(scheme, pendulum, which, a, b, b%value + h, c, map, found, half)
+         call go_to(scheme, pendulum, which, a, b, b%value + h, c, round, found, half)
          if (found .and. distance(c%points, b%points) < 0.5_wp) then
             a = b
             b = c
@@ -140,7 +163,7 @@ contains
          end if
       end do
       found = b%f < 0.0_wp
-      if (found) call close_in(scheme, pendulum, which, a, b, map, found, half)
+      if (found) call close_in(scheme, pendulum, which, a, b, round, found, half)
       points = b%points
       call driven_set(pendulum, which, b%value)
    end subroutine driven_doubling
@@ -148,13 +171,13 @@ contains
 
    !> The bracket of a and b, on both sides of f = 0, closed by false position; an end that stays has its
    !> value halved (Illinois). The last place is in b.
-   pure subroutine close_in(scheme, pendulum, which, a, b, map, found, half)
+   pure subroutine close_in(scheme, pendulum, which, a, b, round, found, half)
       type(driven_scheme), intent(in) :: scheme
       type(driven_pendulum), intent(inout) :: pendulum
       integer, intent(in) :: which
       type(place), intent(inout) :: a
       type(place), intent(inout) :: b
-      real(wp), intent(out) :: map(2, 2)
+      type(driven_round), intent(out) :: round
       logical, intent(out) :: found
       logical, intent(in), optional :: half
       integer, parameter :: most = 60
@@ -162,7 +185,7 @@ contains
       integer :: i
 
       do i = 1, most
-         call go_to(scheme, pendulum, which, a, b, b%value - b%f*((b%value - a%value)/(b%f - a%f)), c, map, &
+         call go_to(scheme, pendulum, which, a, b, b%value - b%f*((b%value - a%value)/(b%f - a%f)), c, round, &
             found, half)
          if (.not. found) return
          if (c%f > 0.0_wp .neqv. b%f > 0.0_wp) then
@@ -177,7 +200,7 @@ contains
 
 
    !> The cycle at another value, guessed on the line through those at two places
-   pure subroutine go_to(scheme, pendulum, which, a, b, value, c, map, found, half)
+   pure subroutine go_to(scheme, pendulum, which, a, b, value, c, round, found, half)
       type(driven_scheme), intent(in) :: scheme
       type(driven_pendulum), intent(inout) :: pendulum
       integer, intent(in) :: which
@@ -185,11 +208,10 @@ contains
       type(place), intent(in) :: b
       real(wp), intent(in) :: value
       type(place), intent(out) :: c
-      real(wp), intent(out) :: map(2, 2)
+      type(driven_round), intent(out) :: round
       logical, intent(out) :: found
       logical, intent(in), optional :: half
       real(wp) :: part
-      integer(int64) :: turns
 
       part = 0.0_wp
       if (abs(b%value - a%value) > 0.0_wp) part = (value - b%value)/(b%value - a%value)
@@ -197,8 +219,8 @@ contains
       c%points%angle = b%points%angle + part*near_zero(b%points%angle - a%points%angle)
       c%points%rate = b%points%rate + part*(b%points%rate - a%points%rate)
       call driven_set(pendulum, which, value)
-      call driven_cycle(scheme, pendulum, c%points, map, turns, found, half)
-      c%f = (1.0_wp + map(1, 1))*(1.0_wp + map(2, 2)) - map(1, 2)*map(2, 1)
+      call driven_cycle(scheme, pendulum, c%points, round, found, half)
+      c%f = 1.0_wp + (round%map(1, 1) + round%map(2, 2)) + round%area
    end subroutine go_to
 
 
@@ -221,7 +243,8 @@ contains
       integer, intent(out) :: found
       type(driven_state) :: cycle(size(points)*2**max(size(thresholds) - 1, 0))
       type(driven_pendulum) :: p
-      real(wp) :: map(2, 2), gap, before
+      type(driven_round) :: round
+      real(wp) :: gap, before
       integer :: i, n
       logical :: good
 
@@ -233,9 +256,9 @@ contains
       good = .true.
       found = 0
       do i = 1, size(thresholds)
-         if (i > 1) call double_cycle(scheme, p, which, before + 0.3_wp*gap, map, n, cycle, good)
+         if (i > 1) call double_cycle(scheme, p, which, before + 0.3_wp*gap, round%map, n, cycle, good)
          if (.not. good) return
-         call driven_doubling(scheme, p, which, 0.25_wp*gap, cycle(:n), map, good)
+         call driven_doubling(scheme, p, which, 0.25_wp*gap, cycle(:n), round, good)
          if (.not. good) return
          thresholds(i) = driven_get(p, which)
          if (i > 1) gap = (thresholds(i) - before)/4.669_wp
@@ -257,7 +280,8 @@ contains
       type(driven_state), intent(inout) :: cycle(:)
       logical, intent(out) :: good
       type(driven_state) :: both(2*n)
-      real(wp) :: maps(2, 2, n), rest(2, n), along(2, n), twice(2, 2), s
+      real(wp) :: maps(2, 2, n), rest(2, n), along(2, n), s
+      type(driven_round) :: twice
       integer(int64) :: turns
       integer :: i
 
@@ -276,7 +300,7 @@ contains
          both%angle = [cycle(:n)%angle + s*along(1, :), cycle(:n)%angle - s*along(1, :)]
          both%rate = [cycle(:n)%rate + s*along(2, :), cycle(:n)%rate - s*along(2, :)]
          both%status = driven_ran
-         call driven_cycle(scheme, pendulum, both, twice, turns, good)
+         call driven_cycle(scheme, pendulum, both, twice, good)
          if (good) good = distance(both(:n), both(n + 1:)) > 1.0e-5_wp .and. distance(both(:n), &
             cycle(:n)) < 0.5_wp
          if (good) exit
@@ -328,10 +352,13 @@ contains
          maps = -maps
       end if
       points%status = ends%status
-      rest(1, :) = near_zero(ends%angle - cshift(points%angle, 1))
-      rest(2, :) = ends%rate - cshift(points%rate, 1)
-      turns = sum(ends%turns) + nint(sum(ends%angle - cshift(points%angle, 1) - rest(1, :)) &
-         /(2*acos(-1.0_wp)), int64)
+      turns = sum(ends%turns)
+      do i = 1, size(points)
+         associate (end => ends(i), next => points(modulo(i, size(points)) + 1))
+            rest(:, i) = [near_zero(end%angle - next%angle), end%rate - next%rate]
+            turns = turns + nint((end%angle - next%angle - rest(1, i))/(2*acos(-1.0_wp)), int64)
+         end associate
+      end do
    end subroutine shoot
 
 
@@ -343,18 +370,6 @@ contains
 
       rest = angle - turn*anint(angle/turn)
    end function near_zero
-
-
-   pure function product_of(maps) result(map)
-      real(wp), intent(in) :: maps(:, :, :)
-      real(wp) :: map(2, 2)
-      integer :: i
-
-      map = maps(:, :, 1)
-      do i = 2, size(maps, 3)
-         map = matmul(maps(:, :, i), map)
-      end do
-   end function product_of
 
 
    !> Newton's correction of all points: d(i + 1) = M(i) d(i) + rest(i), closed to a ring by d(1) = d(n + 1)

@@ -92,7 +92,7 @@ contains
       real(wp) :: torque
       type(driven_pendulum) :: pendulum(driven_block)
       type(driven_state) :: state(driven_block)
-      real(wp) :: low, high, slowest
+      real(wp) :: low, high, slowest, tried(driven_block)
       integer :: i
 
       torque = nan
@@ -101,11 +101,12 @@ contains
       high = 1.0_wp
       pendulum%damping = damping
       do i = 1, passes
-         pendulum%torque = trials(low, high)
-         state = behind_the_top(damping, pendulum%torque)
-         slowest = growth(damping, sqrt(1.0_wp - pendulum(driven_block)%torque**2))
+         tried = trials(low, high)
+         pendulum%torque = tried
+         state = behind_the_top(damping, tried)
+         slowest = growth(damping, sqrt(1.0_wp - tried(driven_block)**2))
          call driven_periods(driven_order8(96), pendulum, state, waiting(slowest, 1))
-         call bracket(pendulum%torque, whole_angle(state) < 3*pi - asin(pendulum%torque), low, high)
+         call bracket(tried, whole_angle(state) < 3*pi - asin(tried), low, high)
       end do
       torque = 0.5_wp*(low + high)
    end function driven_return_torque
