@@ -9,10 +9,11 @@ module furiko_cli_driven
       driven_periods, driven_phase, driven_quadratic, driven_rk4, driven_round, driven_scheme, &
          driven_section, &
       driven_set, driven_state, driven_steps, driven_torque, driven_winding
+   use furiko_bits_dp, only : nan
    use furiko_cli_io, only : finish
    use furiko_cli_options, only : command, command_line, demand, option, word
    use furiko_cli_quantity, only : angle_of, no_unit, number_of, whole_of
-   use furiko_cli_sheet, only : begin_sheet, column, format_option, places, powers, sheet, whole
+   use furiko_cli_sheet, only : begin_sheet, column, digits, format_option, places, powers, sheet, whole
    use furiko_cli_text, only : cut, suggestion
    use furiko_word_arithmetic_dp, only : words
    implicit none
@@ -73,7 +74,7 @@ contains
          'which of them each start comes to, and after how many periods (0 and -1 for none).', &
          'With --vary, lyapunov and winding have a row for each value. Chaos amplifies the last digit: ' // &
          'statistics can be repeated on another machine, single points cannot. doc/driven.md says more.', &
-         'furiko driven bifurcation --vary drive --from 1.06 --to 1.09 --points 300', options=[ &
+         'furiko driven bifurcation --vary drive --from 1.06 --to 1.09 --points 64 --periods 32', options=[ &
          option('--damping', 'B', '0.5', 'linear damping; 1/q'), &
          option('--quadratic', 'C', '0', 'quadratic damping'), &
          option('--torque', 'I', '0', 'a constant torque'), &
@@ -425,8 +426,8 @@ contains
 
       call find_cycle(line, asked, points, round)
       page = begin_sheet(line, [column('point', whole), angle, rate, column('turns', whole), &
-         column('multiplier_1_re', places, 9, 15), column('multiplier_1_im', places, 9, 15), &
-         column('multiplier_2_re', places, 9, 15), column('multiplier_2_im', places, 9, 15)])
+         column('multiplier_1_re', digits, 9, 15), column('multiplier_1_im', digits, 9, 15), &
+         column('multiplier_2_re', digits, 9, 15), column('multiplier_2_im', digits, 9, 15)])
       do i = 1, asked%cycle
          call page%row([real(i, wp), points(i)%angle, points(i)%rate, real(round%turns, wp), &
             real(round%multipliers(1)), aimag(round%multipliers(1)), real(round%multipliers(2)), &
@@ -461,7 +462,7 @@ contains
       page = begin_sheet(line, [column('cycle', whole), column(constants(asked%vary), places, 13, 15), &
          column('ratio', places, 5, 9)])
       do i = 1, found
-         ratio = 0.0_wp
+         ratio = nan
          if (i > 2) ratio = (thresholds(i - 1) - thresholds(i - 2))/(thresholds(i) - thresholds(i - 1))
          call page%row([real(asked%cycle, wp)*2**(i - 1), thresholds(i), ratio])
       end do
