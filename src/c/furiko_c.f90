@@ -1,5 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
+! Written by tools/make_c_interface.py.
+
 !> All that C calls: for fpm, which leaves out of a library the modules that no program uses. Fortran finds
 !> nothing here.
 ! allow(C121)
