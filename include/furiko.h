@@ -254,6 +254,38 @@ void furiko_ellipke_alpha_v(size_t count, const double alpha[], double big_k[], 
 void furiko_ellipke_alpha_vf(size_t count, const float alpha[], float big_k[], float e[]);
 /** @} */
 
+/* ---- The complete integral S ---- */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellips_k(double k);
+float furiko_ellips_kf(float k);
+void furiko_ellips_k_v(size_t count, const double k[], double s[]);
+void furiko_ellips_k_vf(size_t count, const float k[], float s[]);
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellips_m(double m);
+float furiko_ellips_mf(float m);
+void furiko_ellips_m_v(size_t count, const double m[], double s[]);
+void furiko_ellips_m_vf(size_t count, const float m[], float s[]);
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellips_mc(double mc);
+float furiko_ellips_mcf(float mc);
+void furiko_ellips_mc_v(size_t count, const double mc[], double s[]);
+void furiko_ellips_mc_vf(size_t count, const float mc[], float s[]);
+/** @} */
+
 /* ---- Incomplete integrals F, E, D ---- */
 
 /** Legendre's incomplete integral of the first kind.
@@ -425,6 +457,94 @@ float furiko_ellippiinc_mcf(float n, float phi, float mc);
 void furiko_ellippiinc_mc_v(size_t count, const double n[], const double phi[], const double mc[],
         double pi[]);
 void furiko_ellippiinc_mc_vf(size_t count, const float n[], const float phi[], const float mc[], float pi[]);
+/** @} */
+
+/* ---- The associate integral of the third kind ---- */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellipj_k(double n, double k);
+float furiko_ellipj_kf(float n, float k);
+void furiko_ellipj_k_v(size_t count, const double n[], const double k[], double j[]);
+void furiko_ellipj_k_vf(size_t count, const float n[], const float k[], float j[]);
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellipj_m(double n, double m);
+float furiko_ellipj_mf(float n, float m);
+void furiko_ellipj_m_v(size_t count, const double n[], const double m[], double j[]);
+void furiko_ellipj_m_vf(size_t count, const float n[], const float m[], float j[]);
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellipj_mc(double n, double mc);
+float furiko_ellipj_mcf(float n, float mc);
+void furiko_ellipj_mc_v(size_t count, const double n[], const double mc[], double j[]);
+void furiko_ellipj_mc_vf(size_t count, const float n[], const float mc[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellipjinc_k(double n, double phi, double k);
+float furiko_ellipjinc_kf(float n, float phi, float k);
+void furiko_ellipjinc_k_v(size_t count, const double n[], const double phi[], const double k[], double j[]);
+void furiko_ellipjinc_k_vf(size_t count, const float n[], const float phi[], const float k[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellipjinc_m(double n, double phi, double m);
+float furiko_ellipjinc_mf(float n, float phi, float m);
+void furiko_ellipjinc_m_v(size_t count, const double n[], const double phi[], const double m[], double j[]);
+void furiko_ellipjinc_m_vf(size_t count, const float n[], const float phi[], const float m[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellipjinc_mc(double n, double phi, double mc);
+float furiko_ellipjinc_mcf(float n, float phi, float mc);
+void furiko_ellipjinc_mc_v(size_t count, const double n[], const double phi[], const double mc[], double j[]);
+void furiko_ellipjinc_mc_vf(size_t count, const float n[], const float phi[], const float mc[], float j[]);
+/** @} */
+
+/* ---- Bulirsch's cel ---- */
+
+/** Bulirsch's general complete elliptic integral.
+ *
+ * @param kc complementary modulus
+ * @param p 1 - n
+ * @param a weight of the squared cosine
+ * @param b weight of the squared sine
+ * @{ */
+double furiko_bulirsch_cel(double kc, double p, double a, double b);
+float furiko_bulirsch_celf(float kc, float p, float a, float b);
+void furiko_bulirsch_cel_v(size_t count, const double kc[], const double p[], const double a[],
+        const double b[], double f[]);
+void furiko_bulirsch_cel_vf(size_t count, const float kc[], const float p[], const float a[],
+        const float b[], float f[]);
 /** @} */
 
 /* ---- Carlson's integrals ---- */

@@ -10,8 +10,14 @@ module furiko_c
    use furiko_c_agm_sp
    use furiko_c_carlson_dp
    use furiko_c_carlson_sp
+   use furiko_c_cel_dp
+   use furiko_c_cel_sp
    use furiko_c_complete_dp
    use furiko_c_complete_sp
+   use furiko_c_ellipj_dp
+   use furiko_c_ellipj_sp
+   use furiko_c_ellips_dp
+   use furiko_c_ellips_sp
    use furiko_c_ellipse_dp
    use furiko_c_ellipse_sp
    use furiko_c_incomplete_dp

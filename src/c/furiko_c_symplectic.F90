@@ -11,4 +11,4 @@ module furiko_c_symplectic_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_symplectic.inc'
 end module furiko_c_symplectic_dp
-! rooms: 4174673516
+! rooms: 1559095282

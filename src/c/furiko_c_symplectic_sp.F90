@@ -12,4 +12,4 @@ module furiko_c_symplectic_sp
    character(len=*), parameter :: suffix = 'f'
    include 'furiko_c_symplectic.inc'
 end module furiko_c_symplectic_sp
-! rooms: 4174673516
+! rooms: 1559095282

@@ -32,6 +32,9 @@ __all__ = [
     "ellipke_m",
     "ellipke_mc",
     "ellipke_alpha",
+    "ellips_k",
+    "ellips_m",
+    "ellips_mc",
     "ellipf_k",
     "ellipf_m",
     "ellipf_mc",
@@ -47,6 +50,13 @@ __all__ = [
     "ellippiinc_k",
     "ellippiinc_m",
     "ellippiinc_mc",
+    "ellipj_k",
+    "ellipj_m",
+    "ellipj_mc",
+    "ellipjinc_k",
+    "ellipjinc_m",
+    "ellipjinc_mc",
+    "bulirsch_cel",
     "carlson_rf",
     "carlson_rc",
     "carlson_rd",
@@ -848,6 +858,108 @@ def ellipke_alpha(alpha: ArrayLike, *, out: Outs = None) -> EllipkeValues:
     return _ellipke_alpha(out, alpha)
 
 
+_ellips_k = Routine("ellips_k", ("k",), None)
+
+
+def ellips_k(k: ArrayLike, *, out: Out = None) -> Any:
+    r"""Complete elliptic integral S = (D - B)/m, of the modulus k, `abs(k) <= 1`, m = k^2.
+
+    .. math:: S(m) = \frac{D(m) - B(m)}{m} = \frac{(2 - m) K(m) - 2 E(m)}{m^2} = \int_0^{\pi/2}
+       \frac{\sin^2\theta\,\cos^2\theta\,d\theta}{(1 - m \sin^2\theta)^{3/2}}
+
+    What mutual inductances and the fields of loops are made of, without the cancelling of K and E.
+
+    S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
+
+    Accuracy: 1.75 ulp; 4 ulp in real128.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
+
+    Parameters
+    ----------
+    k : array_like
+        modulus, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        S
+    """
+    if type(k) is float and out is None:
+        return _ellips_k.one(k)
+    return _ellips_k(out, k)
+
+
+_ellips_m = Routine("ellips_m", ("m",), None)
+
+
+def ellips_m(m: ArrayLike, *, out: Out = None) -> Any:
+    r"""Complete elliptic integral S = (D - B)/m, of the parameter m = k^2, `m <= 1`.
+
+    .. math:: S(m) = \frac{D(m) - B(m)}{m} = \frac{(2 - m) K(m) - 2 E(m)}{m^2} = \int_0^{\pi/2}
+       \frac{\sin^2\theta\,\cos^2\theta\,d\theta}{(1 - m \sin^2\theta)^{3/2}}
+
+    What mutual inductances and the fields of loops are made of, without the cancelling of K and E.
+
+    S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
+
+    Accuracy: 1.75 ulp; 4 ulp in real128.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
+
+    Parameters
+    ----------
+    m : array_like
+        parameter, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        S
+    """
+    if type(m) is float and out is None:
+        return _ellips_m.one(m)
+    return _ellips_m(out, m)
+
+
+_ellips_mc = Routine("ellips_mc", ("mc",), None)
+
+
+def ellips_mc(mc: ArrayLike, *, out: Out = None) -> Any:
+    r"""Complete elliptic integral S = (D - B)/m, of the complementary parameter mc = 1 - m, `mc >= 0`.
+
+    .. math:: S(m) = \frac{D(m) - B(m)}{m} = \frac{(2 - m) K(m) - 2 E(m)}{m^2} = \int_0^{\pi/2}
+       \frac{\sin^2\theta\,\cos^2\theta\,d\theta}{(1 - m \sin^2\theta)^{3/2}}
+
+    What mutual inductances and the fields of loops are made of, without the cancelling of K and E.
+
+    S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
+
+    Accuracy: 1.75 ulp; 4 ulp in real128.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
+
+    Parameters
+    ----------
+    mc : array_like
+        complementary parameter 1 - m
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        S
+    """
+    if type(mc) is float and out is None:
+        return _ellips_mc.one(mc)
+    return _ellips_mc(out, mc)
+
+
 _ellipf_k = Routine("ellipf_k", ("phi", "k"), None)
 
 
@@ -1376,6 +1488,286 @@ def ellippiinc_mc(n: ArrayLike, phi: ArrayLike, mc: ArrayLike, *, out: Out = Non
     if type(n) is float and type(phi) is float and type(mc) is float and out is None:
         return _ellippiinc_mc.one(n, phi, mc)
     return _ellippiinc_mc(out, n, phi, mc)
+
+
+_ellipj_k = Routine("ellipj_k", ("n", "k"), None)
+
+
+def ellipj_k(n: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate complete integral J = (Pi - K)/n, of the characteristic n and the modulus k, m = k^2.
+
+    .. math:: J(n|m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; for n > 1 the Cauchy principal
+    value; m <= 1. J(0|m) = D(m). Not the `ellipj` of SciPy and MATLAB, which is jacobi_m here.
+
+    Special cases: n = 1 or m = 1: +Inf (-Inf if n > 1); n or m infinite: 0; m > 1: NaN.
+
+    Accuracy: 4 ulp.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 236 (2012) 1961.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    k : array_like
+        modulus, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(k) is float and out is None:
+        return _ellipj_k.one(n, k)
+    return _ellipj_k(out, n, k)
+
+
+_ellipj_m = Routine("ellipj_m", ("n", "m"), None)
+
+
+def ellipj_m(n: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate complete integral J = (Pi - K)/n, of the parameter m = k^2.
+
+    .. math:: J(n|m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; for n > 1 the Cauchy principal
+    value; m <= 1. J(0|m) = D(m). Not the `ellipj` of SciPy and MATLAB, which is jacobi_m here.
+
+    Special cases: n = 1 or m = 1: +Inf (-Inf if n > 1); n or m infinite: 0; m > 1: NaN.
+
+    Accuracy: 4 ulp.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 236 (2012) 1961.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    m : array_like
+        parameter, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(m) is float and out is None:
+        return _ellipj_m.one(n, m)
+    return _ellipj_m(out, n, m)
+
+
+_ellipj_mc = Routine("ellipj_mc", ("n", "mc"), None)
+
+
+def ellipj_mc(n: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate complete integral J = (Pi - K)/n, of the complementary parameter mc = 1 - m.
+
+    .. math:: J(n|m) = \int_0^{\pi/2} \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; for n > 1 the Cauchy principal
+    value; m <= 1. J(0|m) = D(m). Not the `ellipj` of SciPy and MATLAB, which is jacobi_m here.
+
+    Special cases: n = 1 or m = 1: +Inf (-Inf if n > 1); n or m infinite: 0; m > 1: NaN.
+
+    Accuracy: 4 ulp.
+
+    Definition: Fukushima, J. Comput. Appl. Math. 236 (2012) 1961.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    mc : array_like
+        complementary parameter 1 - m
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(mc) is float and out is None:
+        return _ellipj_mc.one(n, mc)
+    return _ellipj_mc(out, n, mc)
+
+
+_ellipjinc_k = Routine("ellipjinc_k", ("n", "phi", "k"), None)
+
+
+def ellipjinc_k(n: ArrayLike, phi: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate incomplete integral J = (Pi - F)/n, of the characteristic n, the angle phi in radians
+    and the modulus k, m = k^2.
+
+    .. math:: J(n;\phi|m) = \int_0^\phi \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; beyond a pole of the integrand
+    the Cauchy principal value. Any real phi (quasi-periodic); m <= 1, or m > 1 as long as m
+    sin(phi)**2 <= 1. Outside: NaN. J(0, phi|m) = D(phi|m); for small phi it is phi**3/3.
+
+    Special cases: phi = 0: 0; |phi| > pi/2 and n = 1 or m = 1: Inf. Within 4 ulp beyond m
+    sin(phi)**2 = 1 the value is the one there. What overflows is Inf.
+
+    Accuracy: 4 ulp, next to n sin(phi)**2 = 1 too. Definition and method: as of ellipj_k; next to a
+    pole or an edge, where terms cancel and far out in long numbers.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    phi : array_like
+        angle in radians
+    k : array_like
+        modulus, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(phi) is float and type(k) is float and out is None:
+        return _ellipjinc_k.one(n, phi, k)
+    return _ellipjinc_k(out, n, phi, k)
+
+
+_ellipjinc_m = Routine("ellipjinc_m", ("n", "phi", "m"), None)
+
+
+def ellipjinc_m(n: ArrayLike, phi: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate incomplete integral J = (Pi - F)/n, of the parameter m = k^2.
+
+    .. math:: J(n;\phi|m) = \int_0^\phi \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; beyond a pole of the integrand
+    the Cauchy principal value. Any real phi (quasi-periodic); m <= 1, or m > 1 as long as m
+    sin(phi)**2 <= 1. Outside: NaN. J(0, phi|m) = D(phi|m); for small phi it is phi**3/3.
+
+    Special cases: phi = 0: 0; |phi| > pi/2 and n = 1 or m = 1: Inf. Within 4 ulp beyond m
+    sin(phi)**2 = 1 the value is the one there. What overflows is Inf.
+
+    Accuracy: 4 ulp, next to n sin(phi)**2 = 1 too. Definition and method: as of ellipj_k; next to a
+    pole or an edge, where terms cancel and far out in long numbers.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    phi : array_like
+        angle in radians
+    m : array_like
+        parameter, m = k^2
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(phi) is float and type(m) is float and out is None:
+        return _ellipjinc_m.one(n, phi, m)
+    return _ellipjinc_m(out, n, phi, m)
+
+
+_ellipjinc_mc = Routine("ellipjinc_mc", ("n", "phi", "mc"), None)
+
+
+def ellipjinc_mc(n: ArrayLike, phi: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
+    r"""Associate incomplete integral J = (Pi - F)/n, of the complementary parameter mc = 1 - m.
+
+    .. math:: J(n;\phi|m) = \int_0^\phi \frac{\sin^2\theta\,d\theta}{(1 - n\sin^2\theta)\sqrt{1 -
+       m\sin^2\theta}}
+
+    n as in DLMF and Wolfram (GSL has the opposite sign), any real; beyond a pole of the integrand
+    the Cauchy principal value. Any real phi (quasi-periodic); m <= 1, or m > 1 as long as m
+    sin(phi)**2 <= 1. Outside: NaN. J(0, phi|m) = D(phi|m); for small phi it is phi**3/3.
+
+    Special cases: phi = 0: 0; |phi| > pi/2 and n = 1 or m = 1: Inf. Within 4 ulp beyond m
+    sin(phi)**2 = 1 the value is the one there. What overflows is Inf.
+
+    Accuracy: 4 ulp, next to n sin(phi)**2 = 1 too. Definition and method: as of ellipj_k; next to a
+    pole or an edge, where terms cancel and far out in long numbers.
+
+    Parameters
+    ----------
+    n : array_like
+        characteristic, in DLMF's sign
+    phi : array_like
+        angle in radians
+    mc : array_like
+        complementary parameter 1 - m
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        J
+    """
+    if type(n) is float and type(phi) is float and type(mc) is float and out is None:
+        return _ellipjinc_mc.one(n, phi, mc)
+    return _ellipjinc_mc(out, n, phi, mc)
+
+
+_bulirsch_cel = Routine("bulirsch_cel", ("kc", "p", "a", "b"), None)
+
+
+def bulirsch_cel(
+    kc: ArrayLike, p: ArrayLike, a: ArrayLike, b: ArrayLike, *, out: Out = None
+) -> Any:
+    r"""Bulirsch's general complete elliptic integral; kc is the complementary modulus, kc^2 = 1 - m.
+
+    .. math:: \mathrm{cel}(k_c, p, a, b) = \int_0^{\pi/2} \frac{a\cos^2\theta + b\sin^2\theta}
+       {(\cos^2\theta + p\sin^2\theta)\sqrt{\cos^2\theta + k_c^2\sin^2\theta}}\,d\theta
+
+    Any real kc (its sign does not matter), p, a, b; for p < 0 the Cauchy principal value. K =
+    cel(kc, 1, 1, 1), E = cel(kc, 1, 1, kc^2), B = cel(kc, 1, 1, 0), D = cel(kc, 1, 0, 1), Pi(n|m) =
+    cel(kc, 1 - n, 1, 1).
+
+    Special cases: a = b = 0: 0; kc = 0 or p = 0: b's infinity (its opposite if p < 0), of b = 0 the
+    limit, a R_C(1, p) or a K, which at kc = p = 0 is a's infinity; kc or p infinite: 0; a or b
+    infinite: the infinity of its part. NaN where two such limits contradict each other, and of NaN.
+
+    Accuracy: 1 ulp of the integral itself, also where the parts of a and b nearly cancel. Far from
+    1, and where next to nothing is left, a tenth of a millisecond; else a microsecond. What
+    overflows is Inf.
+
+    Source: Bulirsch, Numer. Math. 13 (1969) 305; DLMF 19.2.11.
+
+    Parameters
+    ----------
+    kc : array_like
+        complementary modulus
+    p : array_like
+        1 - n
+    a : array_like
+        weight of the squared cosine
+    b : array_like
+        weight of the squared sine
+    out : ndarray, optional
+        where the result goes
+
+    Returns
+    -------
+    float or ndarray
+        f
+    """
+    if type(kc) is float and type(p) is float and type(a) is float and type(b) is float and out is None:
+        return _bulirsch_cel.one(kc, p, a, b)
+    return _bulirsch_cel(out, kc, p, a, b)
 
 
 _carlson_rf = Routine("carlson_rf", ("x", "y", "z"), None)
