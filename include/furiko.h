@@ -1944,8 +1944,8 @@ double furiko_motion_amplitude(const furiko_motion *self);
 /** rate^2/2 - g/l cos(angle), s^-2. */
 double furiko_motion_energy(const furiko_motion *self);
 
-/** At a time: the angle, radians; its rate, radians per second; what pulls the rod over the weight, negative where
- * the rod pushes. @{ */
+/** At a time: the angle, radians; its rate, radians per second; the pull of the rod as a
+ * multiple of the weight, negative where the rod pushes. @{ */
 double furiko_motion_angle(const furiko_motion *self, double time);
 void furiko_motion_angle_v(const furiko_motion *self, size_t count, const double time[], double angle[]);
 double furiko_motion_rate(const furiko_motion *self, double time);

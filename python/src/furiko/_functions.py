@@ -2047,8 +2047,8 @@ def parameter_from_nome(q: ArrayLike, *, out: Out = None) -> Any:
     Special cases: m(q=0) = 0, m(q=1) = 1, m(q=-1) = -Inf; NaN outside, NaN in gives NaN out. Near q
     = -1 it grows beyond the range, where pi^2/log(-q) passes the logarithm of the largest number.
 
-    Accuracy: 1 ulp of what q says, which near q = -1 is little: m's relative error is that of q
-    times (pi/log(-q))^2.
+    Accuracy: 1 ulp of the exact inverse of q as given, which near q = -1 means little: m's relative
+    error is that of q times (pi/log(-q))^2.
 
     Parameters
     ----------
@@ -2080,7 +2080,8 @@ def complementary_parameter_from_nome(q: ArrayLike, *, out: Out = None) -> Any:
     Near q = 1 it is 16 exp(pi^2/log(q)): below the smallest number, so 0, from q = 0.9869 (float32:
     0.9117; real128: 0.99914) on.
 
-    Accuracy: 1 ulp of what q says: a relative error of q counts (pi/log(q))^2 times.
+    Accuracy: 1 ulp of the exact inverse of q as given: a relative error of q counts (pi/log(q))^2
+    times.
 
     Parameters
     ----------
@@ -4093,8 +4094,8 @@ def jacobi_arcsn_k(x: ArrayLike, k: ArrayLike, *, out: Out = None) -> Any:
     r"""The u with sn(u|m) = x, principal value, of x and the modulus k, m = k^2.
 
     -1 <= x <= 1; then -K <= u <= K. Outside: NaN. For m > 1 the x that a real u gives, K being the
-    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that is
-    no number of the kind, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
+    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that no
+    floating-point number is, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
 
     Special cases: arcsn(+-0) = +-0; m = 1: Inf with the sign of x at x = +-1. NaN for infinite m.
 
@@ -4126,8 +4127,8 @@ def jacobi_arcsn_m(x: ArrayLike, m: ArrayLike, *, out: Out = None) -> Any:
     r"""The u with sn(u|m) = x, of the parameter m = k^2.
 
     -1 <= x <= 1; then -K <= u <= K. Outside: NaN. For m > 1 the x that a real u gives, K being the
-    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that is
-    no number of the kind, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
+    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that no
+    floating-point number is, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
 
     Special cases: arcsn(+-0) = +-0; m = 1: Inf with the sign of x at x = +-1. NaN for infinite m.
 
@@ -4159,8 +4160,8 @@ def jacobi_arcsn_mc(x: ArrayLike, mc: ArrayLike, *, out: Out = None) -> Any:
     r"""The u with sn(u|m) = x, of the complementary parameter mc = 1 - m.
 
     -1 <= x <= 1; then -K <= u <= K. Outside: NaN. For m > 1 the x that a real u gives, K being the
-    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that is
-    no number of the kind, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
+    quarter period K(1/m)/sqrt(m) and dn the function that changes its sign there. An edge that no
+    floating-point number is, as 1/k, is met within 4 epsilon of it: there u is the quarter period.
 
     Special cases: arcsn(+-0) = +-0; m = 1: Inf with the sign of x at x = +-1. NaN for infinite m.
 
@@ -5156,11 +5157,11 @@ def parameter_from_ellipk(big_k: ArrayLike, *, out: Out = None) -> Any:
 
     Any k >= 0.
 
-    Special cases: m(k=0) = -Inf, m(k=Inf) = 1; NaN for k < 0 and NaN. (pi/2 is no number of any
-    kind: at `acos(-1.0)/2` m is tiny, never 0.)
+    Special cases: m(k=0) = -Inf, m(k=Inf) = 1; NaN for k < 0 and NaN. (pi/2 is not a floating-point
+    number: at `acos(-1.0)/2` m is tiny, never 0.)
 
-    Accuracy: 1 ulp of what k says: m's relative error is that of k times k/(m dk/dm), much next to
-    m = 0.
+    Accuracy: 1 ulp of the exact inverse of k as given: m's relative error is that of k times k/(m
+    dk/dm), much next to m = 0.
 
     Parameters
     ----------
@@ -5190,7 +5191,8 @@ def complementary_parameter_from_ellipk(big_k: ArrayLike, *, out: Out = None) ->
     Special cases: mc(k=0) = Inf, mc(k=Inf) = 0; NaN for k < 0 and NaN. For large k it is 16 exp(-2
     k), and 0 once that is below the smallest number.
 
-    Accuracy: 1 ulp of what k says: for large k a relative error of k counts 2 k times.
+    Accuracy: 1 ulp of the exact inverse of k as given: for large k a relative error of k counts 2 k
+    times.
 
     Parameters
     ----------
@@ -5220,7 +5222,7 @@ def parameter_from_period_ratio(ratio: ArrayLike, *, out: Out = None) -> Any:
 
     Special cases: m(1) = 0, m(0) = -Inf, m(Inf) = 1; NaN for ratio < 0 and NaN.
 
-    Accuracy: 1 ulp of what the ratio says, next to 1 too (m ~ 4 (ratio - 1)).
+    Accuracy: 1 ulp of the exact inverse of the given ratio, next to 1 too (m ~ 4 (ratio - 1)).
 
     Parameters
     ----------
@@ -5251,7 +5253,8 @@ def complementary_parameter_from_period_ratio(ratio: ArrayLike, *, out: Out = No
     Special cases: mc(1) = 1, mc(0) = Inf, mc(Inf) = 0; NaN for ratio < 0 and NaN. For a large ratio
     it is 16 exp(-pi ratio).
 
-    Accuracy: 1 ulp of what the ratio says: for large ones a relative error counts pi ratio times.
+    Accuracy: 1 ulp of the exact inverse of the given ratio: for large ones a relative error counts
+    pi ratio times.
 
     Parameters
     ----------
@@ -5668,7 +5671,8 @@ def amplitude_of_period(ratio: ArrayLike, *, out: Out = None) -> Any:
     Special cases: 0 for 1, acos(-1.0) for infinity; NaN below 1 and for NaN. For a ratio next to 1
     see amplitude_of_excess.
 
-    Accuracy: 2 ulp of what the ratio says (next to 1 the amplitude is 4 sqrt(T/T_h - 1)).
+    Accuracy: 2 ulp of the exact inverse at the given ratio (next to 1 the amplitude is 4 sqrt(T/T_h
+    - 1)).
 
     Parameters
     ----------
