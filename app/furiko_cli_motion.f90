@@ -25,6 +25,7 @@ module furiko_cli_motion
       column('energy_s_2', places, 6, 12), column('tension', places, 6, 10), column('turns', whole), &
       column('phase', places, 6, 12), column('rk4_rad', places, 6, 12), column('error_rad', powers, 3)]
    character(len=*), parameter :: usual_columns = 'time,angle,harmonic'
+   ! More are a slip: these fill 40 terabytes
    real(wp), parameter :: most_rows = 1.0e12_wp
 
 

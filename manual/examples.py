@@ -11,7 +11,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).parent.parent
 TOPICS = {"checking": "Before you begin", "integrals": "Elliptic integrals", "functions": "Elliptic functions",
-          "pendulum": "The pendulum", "integrators": "Integrators", "notes": "The methods of the lecture notes"}
+          "pendulum": "The pendulum", "physics": "Elsewhere in physics", "integrators": "Integrators",
+          "notes": "The methods of the lecture notes"}
 HEAD = """# Examples
 
 <!-- Written by manual/examples.py -->

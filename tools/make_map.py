@@ -26,6 +26,7 @@ STOREYS = {"arithmetic": "pairs and triples of numbers, bits, sine and cosine of
            "src": "what a program uses",
            "catalogue": "functions by name",
            "c": "what a C program calls",
+           "f77": "what Fortran 77 calls",
            "app": "the program"}
 USE = re.compile(r"^ *use (furiko\w*)", re.M)
 INCLUDE = re.compile(r"""^#? *include ['"](?:\.\./)?(\w+)/furiko_\w+\.inc""", re.M)

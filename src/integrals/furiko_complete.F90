@@ -105,4 +105,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 656740096
+! rooms: 2471630999
