@@ -21,6 +21,7 @@ STOREYS = {"arithmetic": "pairs and triples of numbers, bits, sine and cosine of
            "functions": "nome, theta, Jacobi's functions and their inverses, zeta",
            "pendulum": "its period and its exact motion",
            "integrators": "equations of motion step by step",
+           "driven": "driven, damped pendulums, many at once",
            "classics": "the lecture notes' own ways, the ellipse",
            "selftest": "known values",
            "src": "what a program uses",
