@@ -147,7 +147,7 @@ def signatures(book, page, family):
     use = textwrap.wrap(f"use furiko, only : {uses}", 96, subsequent_indent="   ", break_long_words=False)
     yield from code("fortran", [*(line + " &" for line in use[:-1]), use[-1], "", *fortran_lines(page, family)])
     yield ""
-    kinds = "real32, real64 or real128"
+    kinds = family.get("kinds", "real32, real64 or real128")
     elemental = [name for name in family["members"] if any(of.dummies(body)[1] for body in of.specifics(name))]
     if elemental:
         yield (f"All numbers are of one kind: {kinds}. The functions are elemental: they take arrays of any shape."
@@ -156,7 +156,7 @@ def signatures(book, page, family):
         yield (f"`{page}` is of real64; `{page}_real32` and `{page}_real128` are its sisters with the same functions. "
                "Times and arguments may be one number or an array of rank 1 where the function says so below.")
     elif page != "furiko_selftest":
-        yield f"All numbers are of one kind: {kinds}."
+        yield f"All numbers are of one kind: {kinds}." if "kinds" not in family else f"All numbers are of {kinds}."
     yield ""
     yield from other_languages(page, family)
 

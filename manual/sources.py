@@ -60,7 +60,7 @@ def docstrings():
     for module in modules():
         lines = module_lines(module)
         for number, line in enumerate(lines):
-            opened = re.match(r"   (?:interface|type ::|pure function) (\w+)", line)
+            opened = re.match(r"   (?:interface|type ::|(?:(?:pure|elemental) )*(?:function|subroutine)) (\w+)", line)
             doc = doc_above(lines, number)
             if opened and doc:
                 found.setdefault(opened[1], doc)
@@ -84,7 +84,7 @@ def dummies(body):
     for number, line in enumerate(body[1:], 1):
         if line.strip().startswith(("end ", "call ", "if ", "do ")):
             break
-        declared = re.match(r"\s*((?:real|integer|type|class|procedure|complex)\(?.*?) :: (.*)", line)
+        declared = re.match(r"\s*((?:real|integer|logical|type|class|procedure|complex)\(?.*?) :: (.*)", line)
         for name in re.split(r", (?![^(]*\))", declared[2]) if declared else ():
             plain = re.match(r"\w+", name)[0]
             if plain in names:
@@ -97,7 +97,8 @@ def specifics(name):
     if public_names()[name] not in modules() or name == "furiko_selftest":
         return []
     lines = module_lines(public_names()[name])
-    bodies = (make_catalogue.specific_lines(specific, lines) for specific in make_catalogue.specifics(name, lines))
+    procedures = make_catalogue.specifics(name, lines) or [name]
+    bodies = (make_catalogue.specific_lines(procedure, lines) for procedure in procedures)
     return [body for body in bodies if body]
 
 
