@@ -122,6 +122,19 @@ def bindings(type_name):
         yield found[1], arguments, doc or doc_above(lines, place), "subroutine" in lines[place].split("(")[0]
 
 
+def components(type_name):
+    """(name, type, docstring) of the public components of a type"""
+    lines = module_lines(public_names()[type_name]) if public_names()[type_name] in modules() else []
+    if f"   type :: {type_name}" not in lines:
+        return
+    for number in range(lines.index(f"   type :: {type_name}") + 1, len(lines)):
+        if lines[number].strip() in ("private", "contains") or lines[number].startswith("   end type"):
+            return
+        declared = re.match(r"      (\w.*) :: (.*)", lines[number])
+        if declared:
+            yield declared[2], declared[1], " ".join(doc_above(lines, number))
+
+
 @functools.cache
 def c_prototypes():
     """{name: prototype}, of double"""
@@ -223,6 +236,13 @@ def speed():
             name = cells[1] if lines[0][0] == "to" and len(cells) == 4 else cells[0]
             found.setdefault(name, []).append((lines[0], cells))
     return found
+
+
+@functools.cache
+def captions():
+    """{picture: what it shows}, of the gallery"""
+    found = re.findall(r"^!\[(.*)\]\(figures/(.*)\)$", (ROOT / "doc/gallery.md").read_text(), re.M)
+    return {picture: caption for caption, picture in found}
 
 
 @functools.cache
