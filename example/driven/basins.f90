@@ -3,7 +3,8 @@
 !> Two attractors, a rotation to either side, and how many of 64 starts each of them draws.
 program basins
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : driven_attractors, driven_basins, driven_order8, driven_pendulum, driven_scheme, driven_state
+   use furiko, only : driven_attractors, driven_basins, driven_order8, driven_pendulum, &
+      driven_scheme, driven_state
    implicit none
    type(driven_pendulum) :: body
    type(driven_state) :: start(64), state(64), points(8)

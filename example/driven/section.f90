@@ -3,7 +3,8 @@
 !> Two driven pendulums side by side: three points of the section of each, one with a period of two drives.
 program section
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : driven_order8, driven_pendulum, driven_periods, driven_scheme, driven_section, driven_state
+   use furiko, only : driven_order8, driven_pendulum, driven_periods, driven_scheme, &
+      driven_section, driven_state
    implicit none
    type(driven_scheme) :: scheme
    type(driven_pendulum) :: body(2)
