@@ -23,7 +23,7 @@ module furiko_driven_steps
 
    !> Members that go side by side: calls are best with a multiple of this
    integer, parameter :: driven_block = 64
-   !> What a state says: it may go on; or it was no number or became too large, and has stopped
+   !> What a state says: it may go on; or it was NaN or became too large, and has stopped
    integer, parameter :: driven_ran = 0, driven_left = 1
    !> The constants of a member by number, for [[driven_set]] and [[driven_get]]
    integer, parameter :: driven_damping = 1, driven_quadratic = 2, driven_torque = 3, driven_amplitude = 4, &
@@ -84,7 +84,7 @@ contains
    !> along by the variational equations: from [1, 0] and [0, 1] the columns of the tangent map.
    !>
    !> Each member's end has the same bits whatever the others are and wherever it stands among them. One that
-   !> is no number, whose constants or state exceed 2^20 or whose frequency is not above 2^-20, or that gets
+   !> is NaN, whose constants or state exceed 2^20 or whose frequency is not above 2^-20, or that gets
    !> there, stops: its status is driven_left, angle and rate are NaN. The others go on.
    pure subroutine driven_steps(scheme, pendulum, state, first, steps, columns)
       !> Method and steps to a period
