@@ -146,6 +146,7 @@ contains
    !> A title is text of an SVG file.
    subroutine check_title(title)
       character(len=*), intent(in) :: title
+      ! no picture shows more
       integer, parameter :: most_bytes = 1000
 
       call check_text('--title', title)

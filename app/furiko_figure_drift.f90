@@ -13,6 +13,7 @@ module furiko_figure_drift
 
    real(wp), parameter :: pi = acos(-1.0_wp)
    real(wp), parameter :: degree = pi/180
+   !> What is shown, in points that make a smooth curve
    integer, parameter :: swings = 10
    integer, parameter :: points_per_swing = 40
 

@@ -19,6 +19,7 @@ module furiko_figure_energy
    integer, parameter :: pens(*) = [black, orange, blue]
    !> Sines in a step of each method
    integer, parameter :: sines_per_step(*) = [4, 1, 3]
+   !> Decades of swings, and in each the looks at the energy that are a point of a curve
    integer, parameter :: decades = 5
    integer, parameter :: looks_per_decade = 8
 

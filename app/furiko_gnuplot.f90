@@ -25,6 +25,7 @@ module furiko_gnuplot
    character(len=*), parameter :: closings(*) = [character(len=6) :: '</svg>', 'IEND', '%%EOF']
    !> The code for a program that is not there
    integer, parameter :: not_found = 127
+   !> As in CSS
    real(wp), parameter :: pixels_per_inch = 96.0_wp
 
 

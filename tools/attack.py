@@ -124,7 +124,7 @@ INPUTS = [
     b"#" + b"x" * 100000 + b"\n0.5\n", b"0.5\n0.5", b"inf\n", b"nan\n", b"-inf inf\n", b"nan nan nan nan\n", bytes(range(256)), b"\x1a\n0.5\n", b"\x0c\n", b"\x0b0.5\n",
 ]
 
-OUTPUTS = b"-o", b"--output"
+OUTPUTS = b"-o", b"--output", b"--gif", b"--mp4"
 HARMLESS = b"/dev/full", b"/dev/null", b"/dev/stdout", b"/dev/stderr", b"/", b"//", b"/proc/self/mem", b"/nowhere/x"
 
 Case = collections.namedtuple("Case", "words stdin out bytes", defaults=(b"", "file", BYTES))
@@ -355,7 +355,7 @@ def output_of(words):
     for word, value in zip(words, [*words[1:], b""]):
         if word in OUTPUTS:
             name = value
-        elif word.startswith(b"--output="):
+        elif word.split(b"=", 1)[0] in OUTPUTS[1:]:
             name = word.split(b"=", 1)[1]
     return b"" if name == b"-" else name
 

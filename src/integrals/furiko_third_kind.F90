@@ -48,4 +48,4 @@ module furiko_third_kind
    implicit none
    public
 end module furiko_third_kind
-! rooms: 3835608188
+! rooms: 83273896
