@@ -67,7 +67,7 @@ contains
 
       call self%panel('angle <θ>  (degrees)', 'd<θ>/d<t>', &
          [-180.0_wp, 180.0_wp], [-3.0_wp, 3.0_wp], cell=[cell, 3, 1, 1])
-      call self%say('set xtics 90; set ytics 1')
+      call self%say('set xtics 180; set ytics 1')
       call self%caption('<a> = ' // fixed(drive, 2) // ': ' // caption)
       state = [0.2_wp, 0.0_wp]
       call follow(drive, steps*forgotten, state)
