@@ -13,8 +13,9 @@
  * of `count` numbers, which may be 0. Arrays of results overlap no other array. Several results go through pointers,
  * none of which is NULL.
  *
- * Nothing is allocated (but by furiko_rk4), nothing kept between calls: all functions may be called by many threads
- * at once. There are no error codes: where a function has no value, the result is NaN, at a pole it is infinite.
+ * Nothing is allocated (but by the integrators of any system), nothing kept between calls: all functions may be
+ * called by many threads at once. There are no error codes: where a function has no value, the result is NaN, at a
+ * pole it is infinite.
  */
 #ifndef FURIKO_H
 #define FURIKO_H
@@ -253,6 +254,38 @@ void furiko_ellipke_alpha_v(size_t count, const double alpha[], double big_k[], 
 void furiko_ellipke_alpha_vf(size_t count, const float alpha[], float big_k[], float e[]);
 /** @} */
 
+/* ---- The complete integral S ---- */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellips_k(double k);
+float furiko_ellips_kf(float k);
+void furiko_ellips_k_v(size_t count, const double k[], double s[]);
+void furiko_ellips_k_vf(size_t count, const float k[], float s[]);
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellips_m(double m);
+float furiko_ellips_mf(float m);
+void furiko_ellips_m_v(size_t count, const double m[], double s[]);
+void furiko_ellips_m_vf(size_t count, const float m[], float s[]);
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m.
+ *
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellips_mc(double mc);
+float furiko_ellips_mcf(float mc);
+void furiko_ellips_mc_v(size_t count, const double mc[], double s[]);
+void furiko_ellips_mc_vf(size_t count, const float mc[], float s[]);
+/** @} */
+
 /* ---- Incomplete integrals F, E, D ---- */
 
 /** Legendre's incomplete integral of the first kind.
@@ -424,6 +457,94 @@ float furiko_ellippiinc_mcf(float n, float phi, float mc);
 void furiko_ellippiinc_mc_v(size_t count, const double n[], const double phi[], const double mc[],
         double pi[]);
 void furiko_ellippiinc_mc_vf(size_t count, const float n[], const float phi[], const float mc[], float pi[]);
+/** @} */
+
+/* ---- The associate integral of the third kind ---- */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellipj_k(double n, double k);
+float furiko_ellipj_kf(float n, float k);
+void furiko_ellipj_k_v(size_t count, const double n[], const double k[], double j[]);
+void furiko_ellipj_k_vf(size_t count, const float n[], const float k[], float j[]);
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellipj_m(double n, double m);
+float furiko_ellipj_mf(float n, float m);
+void furiko_ellipj_m_v(size_t count, const double n[], const double m[], double j[]);
+void furiko_ellipj_m_vf(size_t count, const float n[], const float m[], float j[]);
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellipj_mc(double n, double mc);
+float furiko_ellipj_mcf(float n, float mc);
+void furiko_ellipj_mc_v(size_t count, const double n[], const double mc[], double j[]);
+void furiko_ellipj_mc_vf(size_t count, const float n[], const float mc[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param k modulus, m = k^2
+ * @{ */
+double furiko_ellipjinc_k(double n, double phi, double k);
+float furiko_ellipjinc_kf(float n, float phi, float k);
+void furiko_ellipjinc_k_v(size_t count, const double n[], const double phi[], const double k[], double j[]);
+void furiko_ellipjinc_k_vf(size_t count, const float n[], const float phi[], const float k[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param m parameter, m = k^2
+ * @{ */
+double furiko_ellipjinc_m(double n, double phi, double m);
+float furiko_ellipjinc_mf(float n, float phi, float m);
+void furiko_ellipjinc_m_v(size_t count, const double n[], const double phi[], const double m[], double j[]);
+void furiko_ellipjinc_m_vf(size_t count, const float n[], const float phi[], const float m[], float j[]);
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n.
+ *
+ * @param n characteristic, in DLMF's sign
+ * @param phi angle in radians
+ * @param mc complementary parameter 1 - m
+ * @{ */
+double furiko_ellipjinc_mc(double n, double phi, double mc);
+float furiko_ellipjinc_mcf(float n, float phi, float mc);
+void furiko_ellipjinc_mc_v(size_t count, const double n[], const double phi[], const double mc[], double j[]);
+void furiko_ellipjinc_mc_vf(size_t count, const float n[], const float phi[], const float mc[], float j[]);
+/** @} */
+
+/* ---- Bulirsch's cel ---- */
+
+/** Bulirsch's general complete elliptic integral.
+ *
+ * @param kc complementary modulus
+ * @param p 1 - n
+ * @param a weight of the squared cosine
+ * @param b weight of the squared sine
+ * @{ */
+double furiko_bulirsch_cel(double kc, double p, double a, double b);
+float furiko_bulirsch_celf(float kc, float p, float a, float b);
+void furiko_bulirsch_cel_v(size_t count, const double kc[], const double p[], const double a[],
+        const double b[], double f[]);
+void furiko_bulirsch_cel_vf(size_t count, const float kc[], const float p[], const float a[],
+        const float b[], float f[]);
 /** @} */
 
 /* ---- Carlson's integrals ---- */
@@ -1823,8 +1944,8 @@ double furiko_motion_amplitude(const furiko_motion *self);
 /** rate^2/2 - g/l cos(angle), s^-2. */
 double furiko_motion_energy(const furiko_motion *self);
 
-/** At a time: the angle, radians; its rate, radians per second; what pulls the rod over the weight, negative where
- * the rod pushes. @{ */
+/** At a time: the angle, radians; its rate, radians per second; the pull of the rod as a
+ * multiple of the weight, negative where the rod pushes. @{ */
 double furiko_motion_angle(const furiko_motion *self, double time);
 void furiko_motion_angle_v(const furiko_motion *self, size_t count, const double time[], double angle[]);
 double furiko_motion_rate(const furiko_motion *self, double time);
@@ -1885,6 +2006,24 @@ typedef void (*furiko_ratesf)(float t, const float y[], float dy[], void *contex
  * @{ */
 void furiko_rk4(furiko_rates f, void *context, size_t count, double t0, double h, int steps, double y[]);
 void furiko_rk4f(furiko_ratesf f, void *context, size_t count, float t0, float h, int steps, float y[]);
+/** @} */
+
+/** The right-hand side of x'' = a(x): writes x'' into `a`; as furiko_rates. */
+typedef void (*furiko_acceleration)(const double x[], double a[], void *context);
+typedef void (*furiko_accelerationf)(const float x[], float a[], void *context);
+
+/** Verlet's and Forest and Ruth's steps of any system of `count` coordinates; with steps <= 0 nothing is done.
+ *
+ * @param h size of a step, may be below 0
+ * @param x coordinates, before and after
+ * @param v velocities, before and after
+ * @{ */
+void furiko_verlet(furiko_acceleration f, void *context, size_t count, double h, int steps, double x[], double v[]);
+void furiko_verletf(furiko_accelerationf f, void *context, size_t count, float h, int steps, float x[], float v[]);
+void furiko_forest_ruth(furiko_acceleration f, void *context, size_t count, double h, int steps, double x[],
+        double v[]);
+void furiko_forest_ruthf(furiko_accelerationf f, void *context, size_t count, float h, int steps, float x[],
+        float v[]);
 /** @} */
 
 #ifdef __cplusplus

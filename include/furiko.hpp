@@ -266,6 +266,41 @@ inline void ellipke_alpha(std::size_t count, const float alpha[], float big_k[],
 }
 /** @} */
 
+/* ---- The complete integral S ---- */
+
+/** Complete elliptic integral S = (D - B)/m. @{ */
+inline double ellips_k(double k) { return furiko_ellips_k(k); }
+inline void ellips_k(std::size_t count, const double k[], double s[]) {
+    furiko_ellips_k_v(count, k, s);
+}
+inline float ellips_k(float k) { return furiko_ellips_kf(k); }
+inline void ellips_k(std::size_t count, const float k[], float s[]) {
+    furiko_ellips_k_vf(count, k, s);
+}
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m. @{ */
+inline double ellips_m(double m) { return furiko_ellips_m(m); }
+inline void ellips_m(std::size_t count, const double m[], double s[]) {
+    furiko_ellips_m_v(count, m, s);
+}
+inline float ellips_m(float m) { return furiko_ellips_mf(m); }
+inline void ellips_m(std::size_t count, const float m[], float s[]) {
+    furiko_ellips_m_vf(count, m, s);
+}
+/** @} */
+
+/** Complete elliptic integral S = (D - B)/m. @{ */
+inline double ellips_mc(double mc) { return furiko_ellips_mc(mc); }
+inline void ellips_mc(std::size_t count, const double mc[], double s[]) {
+    furiko_ellips_mc_v(count, mc, s);
+}
+inline float ellips_mc(float mc) { return furiko_ellips_mcf(mc); }
+inline void ellips_mc(std::size_t count, const float mc[], float s[]) {
+    furiko_ellips_mc_vf(count, mc, s);
+}
+/** @} */
+
 /* ---- Incomplete integrals F, E, D ---- */
 
 /** Legendre's incomplete integral of the first kind. @{ */
@@ -436,6 +471,92 @@ inline float ellippiinc_mc(float n, float phi, float mc) { return furiko_ellippi
 inline void ellippiinc_mc(std::size_t count, const float n[], const float phi[], const float mc[],
         float pi[]) {
     furiko_ellippiinc_mc_vf(count, n, phi, mc, pi);
+}
+/** @} */
+
+/* ---- The associate integral of the third kind ---- */
+
+/** Associate complete integral J = (Pi - K)/n. @{ */
+inline double ellipj_k(double n, double k) { return furiko_ellipj_k(n, k); }
+inline void ellipj_k(std::size_t count, const double n[], const double k[], double j[]) {
+    furiko_ellipj_k_v(count, n, k, j);
+}
+inline float ellipj_k(float n, float k) { return furiko_ellipj_kf(n, k); }
+inline void ellipj_k(std::size_t count, const float n[], const float k[], float j[]) {
+    furiko_ellipj_k_vf(count, n, k, j);
+}
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n. @{ */
+inline double ellipj_m(double n, double m) { return furiko_ellipj_m(n, m); }
+inline void ellipj_m(std::size_t count, const double n[], const double m[], double j[]) {
+    furiko_ellipj_m_v(count, n, m, j);
+}
+inline float ellipj_m(float n, float m) { return furiko_ellipj_mf(n, m); }
+inline void ellipj_m(std::size_t count, const float n[], const float m[], float j[]) {
+    furiko_ellipj_m_vf(count, n, m, j);
+}
+/** @} */
+
+/** Associate complete integral J = (Pi - K)/n. @{ */
+inline double ellipj_mc(double n, double mc) { return furiko_ellipj_mc(n, mc); }
+inline void ellipj_mc(std::size_t count, const double n[], const double mc[], double j[]) {
+    furiko_ellipj_mc_v(count, n, mc, j);
+}
+inline float ellipj_mc(float n, float mc) { return furiko_ellipj_mcf(n, mc); }
+inline void ellipj_mc(std::size_t count, const float n[], const float mc[], float j[]) {
+    furiko_ellipj_mc_vf(count, n, mc, j);
+}
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
+inline double ellipjinc_k(double n, double phi, double k) { return furiko_ellipjinc_k(n, phi, k); }
+inline void ellipjinc_k(std::size_t count, const double n[], const double phi[], const double k[],
+        double j[]) {
+    furiko_ellipjinc_k_v(count, n, phi, k, j);
+}
+inline float ellipjinc_k(float n, float phi, float k) { return furiko_ellipjinc_kf(n, phi, k); }
+inline void ellipjinc_k(std::size_t count, const float n[], const float phi[], const float k[], float j[]) {
+    furiko_ellipjinc_k_vf(count, n, phi, k, j);
+}
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
+inline double ellipjinc_m(double n, double phi, double m) { return furiko_ellipjinc_m(n, phi, m); }
+inline void ellipjinc_m(std::size_t count, const double n[], const double phi[], const double m[],
+        double j[]) {
+    furiko_ellipjinc_m_v(count, n, phi, m, j);
+}
+inline float ellipjinc_m(float n, float phi, float m) { return furiko_ellipjinc_mf(n, phi, m); }
+inline void ellipjinc_m(std::size_t count, const float n[], const float phi[], const float m[], float j[]) {
+    furiko_ellipjinc_m_vf(count, n, phi, m, j);
+}
+/** @} */
+
+/** Associate incomplete integral J = (Pi - F)/n. @{ */
+inline double ellipjinc_mc(double n, double phi, double mc) { return furiko_ellipjinc_mc(n, phi, mc); }
+inline void ellipjinc_mc(std::size_t count, const double n[], const double phi[], const double mc[],
+        double j[]) {
+    furiko_ellipjinc_mc_v(count, n, phi, mc, j);
+}
+inline float ellipjinc_mc(float n, float phi, float mc) { return furiko_ellipjinc_mcf(n, phi, mc); }
+inline void ellipjinc_mc(std::size_t count, const float n[], const float phi[], const float mc[], float j[]) {
+    furiko_ellipjinc_mc_vf(count, n, phi, mc, j);
+}
+/** @} */
+
+/* ---- Bulirsch's cel ---- */
+
+/** Bulirsch's general complete elliptic integral. @{ */
+inline double bulirsch_cel(double kc, double p, double a, double b) { return furiko_bulirsch_cel(kc, p, a, b); }
+inline void bulirsch_cel(std::size_t count, const double kc[], const double p[], const double a[],
+        const double b[], double f[]) {
+    furiko_bulirsch_cel_v(count, kc, p, a, b, f);
+}
+inline float bulirsch_cel(float kc, float p, float a, float b) { return furiko_bulirsch_celf(kc, p, a, b); }
+inline void bulirsch_cel(std::size_t count, const float kc[], const float p[], const float a[],
+        const float b[], float f[]) {
+    furiko_bulirsch_cel_vf(count, kc, p, a, b, f);
 }
 /** @} */
 

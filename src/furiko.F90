@@ -8,10 +8,12 @@
 !> before it. All procedures are elemental and generic over real32, real64 and (where the compiler
 !> has it) real128; arrays of rank 1 go to vectorised kernels under the same names.
 !>
-!> - Complete integrals K, E, B, D: `print *, ellipk_m(0.25d0), ellipe_k(0.5)`, K and E at once
-!>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipb_k]], [[ellipd_k]].
+!> - Complete integrals K, E, B, D, S: `print *, ellipk_m(0.25d0), ellipe_k(0.5)`, K and E at once
+!>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipb_k]], [[ellipd_k]], [[ellips_k]].
 !> - Incomplete integrals F, E, D: `ellipf_m(phi, m)`; see [[ellipf_k]], [[ellipeinc_k]], [[ellipdinc_k]].
-!> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]].
+!> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`, and J = (Pi - K)/n, `ellipj_m(n, m)`,
+!>   `ellipjinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]], [[ellipj_k]], [[ellipjinc_k]].
+!> - Bulirsch's `bulirsch_cel(kc, p, a, b)`, of which all complete integrals are cases; see [[bulirsch_cel]].
 !> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
 !> - Jacobi elliptic functions: `call jacobi_m(u, m, sn, cn, dn)`, `jacobi_sn_k(u, k)` and its eleven
 !>   sisters, the amplitude `jacobi_am_m`, the inverses `jacobi_arcsn_m(x, m)` ...; see [[jacobi_k]].
@@ -27,14 +29,20 @@
 !> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
 !>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
 !>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
+!> - Driven, damped pendulums, many at once: `call driven_periods(driven_order8(96), pendulum, state, periods)`,
+!>   sections, cycles and where they double, Lyapunov exponents, winding numbers, basins; see
+!>   [[driven_steps]], [[driven_section]], [[driven_cycle]], [[driven_exponents]], [[driven_basins]].
 !> - Whether this build computes right: `furiko_selftest()` is 0; see [[furiko_selftest]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 ! allow(C121)
 module furiko
    use furiko_agm
    use furiko_complete
+   use furiko_ellips
    use furiko_incomplete
    use furiko_third_kind
+   use furiko_ellipj
+   use furiko_cel
    use furiko_carlson
    use furiko_nome
    use furiko_theta
@@ -55,6 +63,13 @@ module furiko
    use furiko_rk4
    use furiko_symplectic
    use furiko_pendulum_steps
+   use furiko_driven_scheme
+   use furiko_driven_steps
+   use furiko_driven_sections
+   use furiko_driven_cycles
+   use furiko_driven_lyapunov
+   use furiko_driven_rotation
+   use furiko_driven_basins
    implicit none
    public
 

@@ -65,8 +65,9 @@ module test_accuracy
    character(len=*), parameter :: kind_names(3) = ['real32 ', 'real64 ', 'real128']
 
    character(len=*), parameter :: files(*) = [character(len=24) :: 'complete', 'incomplete', &
-      'incomplete_inverse', 'third_kind', 'third_kind_incomplete', 'carlson', 'period', 'nome', 'theta', &
-      'jacobi', 'jacobi_edges', 'jacobi_quotients', 'jacobi_inverse', 'jacobi_inverse_quotients', &
+      'incomplete_inverse', 'third_kind', 'third_kind_incomplete', 'ellips', 'ellipj', &
+      'ellipj_incomplete', 'cel', 'carlson', 'period', 'nome', 'theta', 'jacobi', 'jacobi_edges', &
+      'jacobi_quotients', 'jacobi_inverse', 'jacobi_inverse_quotients', &
       'jacobi_zeta', 'heuman_lambda', 'parameter', 'excess', 'amplitude', 'agm', 'classics', 'agm_steps', &
       'jacobi_complex', 'motion', 'motion_tension', 'motion_phase', 'motion_time', 'motion_slack']
 
@@ -93,6 +94,9 @@ module test_accuracy
       promise('ellipeinc_inverse', '', [0.7, 0.7, 0.7]), &
       promise('ellipdinc', '', [3.0, 3.0, 4.0]), &
       promise('ellippiinc', '', [4.0, 4.0, 4.0]), &
+      promise('ellips', '', [1.75, 1.75, 4.0]), &
+      promise('ellipj', '', [4.0, 4.0, 4.0]), &
+      promise('bulirsch_cel', '', [1.0, 1.0, 1.0]), &
       promise('carlson', '', [3.0, 3.0, 3.0]), &
       promise('carlson_rj', '', [4.0, 4.0, 4.0]), &
       promise('period', '', [0.6, 0.6, 4.0]), &
@@ -140,6 +144,10 @@ contains
          new_unittest('incomplete-inverse', test_incomplete_inverse), &
          new_unittest('third-kind', test_third_kind), &
          new_unittest('third-kind-incomplete', test_third_kind_incomplete), &
+         new_unittest('ellips', test_ellips), &
+         new_unittest('ellipj', test_ellipj), &
+         new_unittest('ellipj-incomplete', test_ellipj_incomplete), &
+         new_unittest('cel', test_cel), &
          new_unittest('carlson', test_carlson), &
          new_unittest('period', test_period), &
          new_unittest('period-excess', test_excess), &
@@ -199,6 +207,34 @@ contains
 
       call check_file(error, 'third_kind_incomplete')
    end subroutine test_third_kind_incomplete
+
+
+   subroutine test_ellips(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'ellips')
+   end subroutine test_ellips
+
+
+   subroutine test_ellipj(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'ellipj')
+   end subroutine test_ellipj
+
+
+   subroutine test_ellipj_incomplete(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'ellipj_incomplete')
+   end subroutine test_ellipj_incomplete
+
+
+   subroutine test_cel(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_file(error, 'cel')
+   end subroutine test_cel
 
 
    subroutine test_carlson(error)

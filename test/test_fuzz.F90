@@ -58,4 +58,4 @@ module test_fuzz_qp
    include 'test_fuzz.inc'
 end module test_fuzz_qp
 #endif
-! rooms: 3903509478
+! rooms: 2104095416

@@ -36,6 +36,8 @@ MEANINGS = {
 }
 MEANINGS_OF = {
     "agm": {"a": "first number", "b": "second number"},
+    "bulirsch_cel": {"kc": "complementary modulus", "p": "1 - n", "a": "weight of the squared cosine",
+                     "b": "weight of the squared sine"},
     "ellipse_perimeter": {"a": "semiaxis", "b": "semiaxis"},
 }
 # Symbols that are no names in C, or not to be told from an argument's in Fortran
@@ -44,8 +46,11 @@ OBJECTS = ["modulus", "motion"]
 HEADINGS = {
     "agm": "Arithmetic-geometric mean",
     "complete": "Complete integrals K, E, B, D",
+    "ellips": "The complete integral S",
     "incomplete": "Incomplete integrals F, E, D",
     "third_kind": "The third kind",
+    "ellipj": "The associate integral of the third kind",
+    "cel": "Bulirsch's cel",
     "carlson": "Carlson's integrals",
     "nome": "The nome",
     "theta": "Theta functions",

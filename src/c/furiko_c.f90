@@ -10,8 +10,14 @@ module furiko_c
    use furiko_c_agm_sp
    use furiko_c_carlson_dp
    use furiko_c_carlson_sp
+   use furiko_c_cel_dp
+   use furiko_c_cel_sp
    use furiko_c_complete_dp
    use furiko_c_complete_sp
+   use furiko_c_ellipj_dp
+   use furiko_c_ellipj_sp
+   use furiko_c_ellips_dp
+   use furiko_c_ellips_sp
    use furiko_c_ellipse_dp
    use furiko_c_ellipse_sp
    use furiko_c_incomplete_dp
@@ -41,6 +47,8 @@ module furiko_c
    use furiko_c_selftest
    use furiko_c_series_dp
    use furiko_c_series_sp
+   use furiko_c_symplectic_dp
+   use furiko_c_symplectic_sp
    use furiko_c_theta_dp
    use furiko_c_theta_sp
    use furiko_c_third_kind_dp

@@ -47,4 +47,4 @@ module furiko_by_name
    implicit none
    public
 end module furiko_by_name
-! rooms: 56007805
+! rooms: 1258907489

@@ -66,4 +66,4 @@ contains
    end function word_count
 
 end module furiko_catalogue
-! rooms: 3028993584
+! rooms: 2551031870

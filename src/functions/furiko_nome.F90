@@ -66,4 +66,4 @@ module furiko_nome
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 end module furiko_nome
-! rooms: 759220036
+! rooms: 1410704603

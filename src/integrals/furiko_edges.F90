@@ -39,4 +39,4 @@ module furiko_edges_qp
    include 'furiko_edges.inc'
 end module furiko_edges_qp
 #endif
-! rooms: 289584936
+! rooms: 2329321306

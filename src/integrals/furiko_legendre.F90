@@ -6,7 +6,7 @@ module furiko_legendre_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_edges_dp, only : legendre_at_edge, legendre_far => legendre_at_edge, &
-      complete_third_far => complete_third_at_edge, first, second, second_d, third
+      complete_third_far => complete_third_at_edge, first, second, second_d, third, third_j
    use furiko_fold_dp, only : fold
    use furiko_duplication_dp, only : rf_of_roots, rd_of_roots, rj_of_roots
    use furiko_forms, only : by_k, by_m, by_mc
@@ -22,7 +22,7 @@ end module furiko_legendre_dp
 module furiko_legendre_sp
    use, intrinsic :: iso_fortran_env, only : real64, wp => real32
    use furiko_bits_sp, only : infinity, is_nan, nan
-   use furiko_edges_sp, only : legendre_at_edge, first, second, second_d, third
+   use furiko_edges_sp, only : legendre_at_edge, first, second, second_d, third, third_j
    use furiko_fold_sp, only : fold
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_legendre_dp, only : double_integral => integral_of_one, double_third => complete_third_of_one
@@ -42,7 +42,7 @@ module furiko_legendre_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_edges_qp, only : legendre_at_edge, legendre_far => legendre_at_edge, &
-      complete_third_far => complete_third_at_edge, first, second, second_d, third
+      complete_third_far => complete_third_at_edge, first, second, second_d, third, third_j
    use furiko_fold_qp, only : fold
    use furiko_duplication_qp, only : rf_of_roots, rd_of_roots, rj_of_roots
    use furiko_forms, only : by_k, by_m, by_mc
@@ -54,4 +54,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 4233211729
+! rooms: 4278295476

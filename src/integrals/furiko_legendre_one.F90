@@ -10,7 +10,7 @@ module furiko_legendre_one_sp
    use furiko_forms, only : by_k, by_m
    use furiko_half_pi_sp, only : half_pi
    use furiko_legendre_sp, only : in_words => integral_of_one, &
-      complete_in_words => complete_third_of_one, first, second, second_d, third
+      complete_in_words => complete_third_of_one, first, second, second_d, third, third_j
    implicit none
    private
    include 'furiko_legendre_one.inc'
@@ -33,7 +33,7 @@ module furiko_legendre_one_dp
    use furiko_forms, only : by_k, by_m
    use furiko_half_pi_dp, only : half_pi
    use furiko_legendre_dp, only : in_words => integral_of_one, &
-      complete_in_words => complete_third_of_one, first, second, second_d, third
+      complete_in_words => complete_third_of_one, first, second, second_d, third, third_j
    implicit none
    private
    include 'furiko_legendre_one.inc'
@@ -56,7 +56,7 @@ module furiko_legendre_one_qp
    use furiko_forms, only : by_k, by_m
    use furiko_half_pi_qp, only : parts => half_pi
    use furiko_legendre_qp, only : in_words => integral_of_one, &
-      complete_in_words => complete_third_of_one, first, second, second_d, third
+      complete_in_words => complete_third_of_one, first, second, second_d, third, third_j
    implicit none
    private
    public :: integral
@@ -74,4 +74,4 @@ module furiko_legendre_one_qp
    include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 1969100863
+! rooms: 4008358047

@@ -10,7 +10,7 @@ module furiko_legendre_plain_sp
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_sp, only : half_pi
    use furiko_legendre_one_sp, only : integral_of_one, complete_third_of_one, complete
-   use furiko_legendre_sp, only : first, second, second_d, third
+   use furiko_legendre_sp, only : first, second, second_d, third, third_j
    implicit none
    private
    include 'furiko_legendre_plain.inc'
@@ -29,7 +29,7 @@ module furiko_legendre_plain_dp
    use furiko_forms, only : by_k, by_m, by_mc
    use furiko_half_pi_dp, only : half_pi
    use furiko_legendre_one_dp, only : integral_of_one, complete_third_of_one, complete
-   use furiko_legendre_dp, only : first, second, second_d, third
+   use furiko_legendre_dp, only : first, second, second_d, third, third_j
    implicit none
    private
    include 'furiko_legendre_plain.inc'
@@ -39,4 +39,4 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_oddness.inc'
    include '../arithmetic/furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
-! rooms: 2059000193
+! rooms: 2521457952

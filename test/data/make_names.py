@@ -15,9 +15,9 @@ from mpmath import ellipe, ellipf, ellipk, ellippi, sqrt
 HERE = pathlib.Path(__file__).parent
 mp.mp.dps = 60
 VALUES = [
-    dict(a=1.5, b=0.4, k=0.6, m=0.3, mc=0.4, alpha=0.7, n=0.35, phi=0.9, u=0.8, q=0.1, kk=2.0, ratio=1.2,
+    dict(a=1.5, b=0.4, kc=0.55, k=0.6, m=0.3, mc=0.4, alpha=0.7, n=0.35, phi=0.9, u=0.8, q=0.1, K=2.0, ratio=1.2,
          amplitude=1.3, excess=0.25, z=0.55, x=0.45, y=1.7, p=0.85, s=0.75),
-    dict(a=0.3, b=2.2, k=0.8, m=-0.8, mc=1.6, alpha=1.1, n=-0.6, phi=1.2, u=1.1, q=0.3, kk=1.75, ratio=2.2,
+    dict(a=0.3, b=2.2, kc=1.4, k=0.8, m=-0.8, mc=1.6, alpha=1.1, n=-0.6, phi=1.2, u=1.1, q=0.3, K=1.75, ratio=2.2,
          amplitude=2.6, excess=1.5, z=-0.65, x=2.4, y=0.35, p=1.3, s=2.3),
 ]
 
@@ -101,12 +101,15 @@ def of_m(family, x, m):
         "ellipke": lambda: [k, e],
         "ellipb": lambda: [(e - (1 - m)*k)/m],
         "ellipd": lambda: [(k - e)/m],
+        "ellips": lambda: [((2 - m)*k - 2*e)/m**2],
         "ellippi": lambda: [ellippi(*x, m)],
+        "ellipj": lambda: [(ellippi(*x, m) - k)/x[0]],
         "ellipf": lambda: [ellipf(*x, m)],
         "ellipeinc": lambda: [ellipe(*x, m)],
         "ellipeinc_inverse": lambda: [arc_inverse(*x, m)],
         "ellipdinc": lambda: [(ellipf(*x, m) - ellipe(*x, m))/m],
         "ellippiinc": lambda: [ellippi(*x, m)],
+        "ellipjinc": lambda: [(ellippi(*x, m) - ellipf(x[1], m))/x[0]],
         "jacobi": lambda: [mp.ellipfun(name, *x, m=m) for name in ("sn", "cn", "dn")],
         "jacobi_am": lambda: [amplitude(*x, m)],
         "jacobi_epsilon": lambda: [ellipe(amplitude(*x, m), m)],
@@ -116,12 +119,21 @@ def of_m(family, x, m):
     }[family]()
 
 
+def bulirsch_cel(kc, p, a, b):
+    """By the definition"""
+    def integrand(theta):
+        c2, s2 = mp.cos(theta)**2, mp.sin(theta)**2
+        return (a*c2 + b*s2)/((c2 + p*s2)*sqrt(c2 + kc**2*s2))
+    return mp.quad(integrand, mp.linspace(0, mp.pi/2, 9))
+
+
 def other(name, *x):
     half = mp.pi/2
     if match := re.fullmatch(r"theta(\d)(_prime)?", name):
         return mp.jtheta(int(match[1]), *x, 1 if match[2] else 0)
     return {
         "agm": mp.agm,
+        "bulirsch_cel": bulirsch_cel,
         "carlson_rf": mp.elliprf,
         "carlson_rc": mp.elliprc,
         "carlson_rd": mp.elliprd,

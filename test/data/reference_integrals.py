@@ -141,6 +141,44 @@ def third_kind_incomplete(form, n, phi, x):
     return [within + 2 * j * third(n, arb(1), arb(0), mc) if j != 0 else within]
 
 
+def associate(n, s, c, mc):
+    """J = (Pi - F)/n within a quarter period."""
+    return s**3 * rj(c * c, c * c + mc * s * s, 1, c * c + (1 - n) * s * s) / 3
+
+
+def associate_complete(form, n, x):
+    return [associate(n, arb(1), arb(0), m_and_mc(form, x)[1])]
+
+
+def associate_incomplete(form, n, phi, x):
+    _, mc = m_and_mc(form, x)
+    j, s, c = reduced(phi)
+    within = associate(n, s, c, mc)
+    return [within + 2 * j * associate(n, arb(1), arb(0), mc) if j != 0 else within]
+
+
+def second_associate(form, x):
+    """S = (D - B)/m; next to m = 0 by its hypergeometric series, pi/16 F(3/2, 3/2; 3; m)."""
+    m, _ = m_and_mc(form, x)
+    if abs(m) < 0.25:
+        return [arb.pi() / 16 * m.hypgeom_2f1(arb(1.5), arb(1.5), arb(3))]
+    _, _, b, d = complete(form, x)
+    return [(d - b) / m]
+
+
+def bulirsch_cel(_, kc, p, a, b):
+    """DLMF 19.25.2, and for kc = 0 or p = 0, where b = 0, what is left of it."""
+    x = kc * kc
+    if x == 0:
+        return [a * rc(arb(1), p)]
+    k = rf(0, x, 1)
+    if p == 0:
+        return [a * k]
+    # the middle one first, as rj wants its largest last
+    d = (rj(arb(0), x, arb(1), p) if x < 1 else rj(arb(0), arb(1), x, p)) / 3
+    return [a * k + (b - p * a) * d]
+
+
 def carlson(form, *arguments):
     if form == "rj":  # the largest of x, y, z last
         arguments = (*sorted(arguments[:3], key=lambda x: x.mid()), arguments[3])
@@ -398,6 +436,45 @@ def third_kind_incomplete_arguments(dice, regime, form):
     return [n, quarter(dice), x]
 
 
+def associate_incomplete_arguments(dice, regime, form):
+    """As of Pi; J is about phi^3/3."""
+    if regime == "tiny":
+        return [dice.sign() * dice.tiny(), dice.power(mp.mpf(dice.lowest) / 3 + 1, -4),
+                modulus(dice, "towards-0", form)]
+    n, phi, x = third_kind_incomplete_arguments(dice, regime, form)
+    return [n, mp.sign(phi) * mp.cbrt(abs(phi)) if regime == "subnormal" else phi, x]
+
+
+def bulirsch_cel_arguments(dice, regime, _):
+    kc, p, a, b = (dice.uniform() for _ in range(4))
+    if regime == "uniform":
+        p *= 2
+    if regime == "opposite":
+        a = -a
+    if regime == "wide":
+        kc, p, a, b = (dice.sign() * dice.power(-15, 15) for _ in range(4))
+        p = abs(p)
+    if regime == "principal":
+        p = -dice.pick(dice.power(-10, 10), dice.uniform(0, 2))
+        kc, a, b = dice.power(-10, 10), dice.sign() * a, dice.sign() * b
+    if regime == "close":
+        kc, p = 1 + dice.sign() * dice.gap(), dice.pick(1 + dice.sign() * dice.gap(), kc * (1 + dice.gap()))
+    if regime == "zeros":
+        kc, p, a, b = dice.pick((kc, p, a, 0), (kc, p, 0, b), (0, p, a, 0), (kc, 0, a, 0), (0, -p, a, 0),
+                                (kc, -p, a, 0), (kc, -p, 0, b), (kc, -p, a, a))
+    if regime == "cancelling":  # B/D to a rounding, or next to that
+        kc, p = (rounded_to(dice.bits, dice.power(-8, 2)) for _ in range(2))
+        p = dice.pick(p, p, -p)
+        cosine, sine = (bulirsch_cel("", arb(kc), arb(p), arb(x), arb(1 - x))[0].mid() for x in (1, 0))
+        a = rounded_to(dice.bits, a)
+        b = -a * mp.mpf(tuple(map(int, cosine.man_exp()))) / mp.mpf(tuple(map(int, sine.man_exp())))
+        b *= dice.pick(1, 1, 1 + dice.gap())
+    if regime in ("spread", "subnormal", "overflow"):
+        part = dice.pick(mp.mpf("0.99"), mp.mpf("0.3")) * dice.lowest
+        kc, p, a, b = (dice.sign() * dice.power(part, -part) for _ in range(4))
+    return [kc, p, a, b]
+
+
 CARLSON = {"rf": 3, "rc": 2, "rd": 3, "rj": 4, "rg": 3}  # arguments of each
 
 
@@ -494,6 +571,19 @@ TOPICS = {
             "uniform": ALL, "negative-n": ALL, "towards-1": ALL, "principal": ALL, "near-m": ALL,
             "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL,
             "pole": ALL, "edge": ALL, "subnormal": ALL}),
+    "ellips": ("ellips", second_associate, complete_arguments, {
+        "uniform": ALL, "towards-0": ALL, "towards-1": ALL,
+        "negative": BOTH, "far-negative": BOTH}),
+    "ellipj": ("ellipj", associate_complete, third_kind_arguments, {
+        "uniform": ALL, "negative-n": ALL, "towards-1": ALL,
+        "principal": ALL, "near-m": ALL, "negative-m": BOTH, "spread": ALL, "subnormal": ALL}),
+    "ellipj_incomplete": ("ellipjinc", associate_incomplete, associate_incomplete_arguments, {
+        "uniform": ALL, "negative-n": ALL, "towards-1": ALL, "principal": ALL, "near-m": ALL,
+        "negative-m": BOTH, "multiples": ALL, "any-phi": ALL, "above-1": ALL, "tiny": ALL,
+        "pole": ALL, "edge": ALL, "subnormal": ALL}),
+    "cel": ("bulirsch", bulirsch_cel, bulirsch_cel_arguments, {
+        regime: "cel" for regime in ("uniform", "opposite", "wide", "principal", "close", "zeros", "cancelling",
+                                     "spread", "subnormal", "overflow")}),
     "carlson": ("carlson", carlson, carlson_arguments, {
         "uniform": "rf rc rd rj rg", "wide": "rf rc rd rj rg", "extreme": "rf rc rd rj rg",
         "zeros": "rf rc rd rj rg", "principal": "rc rj", "close": "rf rc rd rj rg",
@@ -506,4 +596,4 @@ TOPICS = {
 }
 
 # One point of so many: the long way round takes its time
-RARE = {"edge": 4, "pole": 4, "spread": 4, "spread-principal": 4, "subnormal": 8, "overflow": 8}
+RARE = {"edge": 4, "pole": 4, "spread": 4, "spread-principal": 4, "subnormal": 8, "overflow": 8, "cancelling": 4}

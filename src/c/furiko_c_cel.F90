@@ -1,0 +1,30 @@
+! SPDX-License-Identifier: MIT
+#include "../arithmetic/furiko_compiler.inc"
+
+! Written by tools/make_c_interface.py.
+
+!> Bulirsch's cel, for C, in float; the text is in furiko_c_cel.inc.
+module furiko_c_cel_sp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
+   ! allow(C121)
+   use furiko_cel ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = 'f'
+   include 'furiko_c_cel.inc'
+end module furiko_c_cel_sp
+
+
+!> Bulirsch's cel, for C, in double; the text is in furiko_c_cel.inc.
+module furiko_c_cel_dp
+   use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
+   ! allow(C121)
+   use furiko_cel ! all there is
+   implicit none
+   private
+   ! What C's names end in
+   character(len=*), parameter :: suffix = ''
+   include 'furiko_c_cel.inc'
+end module furiko_c_cel_dp
+! rooms: 2692311108
