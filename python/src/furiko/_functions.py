@@ -871,7 +871,7 @@ def ellips_k(k: ArrayLike, *, out: Out = None) -> Any:
 
     S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
 
-    Accuracy: 1.75 ulp; 4 ulp in real128.
+    Accuracy: 1.75 ulp.
 
     Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
 
@@ -905,7 +905,7 @@ def ellips_m(m: ArrayLike, *, out: Out = None) -> Any:
 
     S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
 
-    Accuracy: 1.75 ulp; 4 ulp in real128.
+    Accuracy: 1.75 ulp.
 
     Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
 
@@ -939,7 +939,7 @@ def ellips_mc(mc: ArrayLike, *, out: Out = None) -> Any:
 
     S(k=0) = pi/16, S(k=+-1) = +Inf, S(m=-Inf) = 0; NaN outside, NaN in gives NaN out.
 
-    Accuracy: 1.75 ulp; 4 ulp in real128.
+    Accuracy: 1.75 ulp.
 
     Definition: Fukushima, J. Comput. Appl. Math. 235 (2011) 4140.
 
@@ -1725,9 +1725,7 @@ def ellipjinc_mc(n: ArrayLike, phi: ArrayLike, mc: ArrayLike, *, out: Out = None
 _bulirsch_cel = Routine("bulirsch_cel", ("kc", "p", "a", "b"), None)
 
 
-def bulirsch_cel(
-    kc: ArrayLike, p: ArrayLike, a: ArrayLike, b: ArrayLike, *, out: Out = None
-) -> Any:
+def bulirsch_cel(kc: ArrayLike, p: ArrayLike, a: ArrayLike, b: ArrayLike, *, out: Out = None) -> Any:
     r"""Bulirsch's general complete elliptic integral; kc is the complementary modulus, kc^2 = 1 - m.
 
     .. math:: \mathrm{cel}(k_c, p, a, b) = \int_0^{\pi/2} \frac{a\cos^2\theta + b\sin^2\theta}
