@@ -8,6 +8,7 @@ endif
 FFLAGS ?= -O2
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib
+INCLUDEDIR = $(PREFIX)/include
 BUILD = build/make
 KINDS = real32 real64 real128
 # For a linker that is not GNU's or LLVM's, these two:
@@ -40,7 +41,7 @@ compiler = LLVMFlang-$(shell $(FC) -dumpversion)
 else
 compiler = $(notdir $(firstword $(FC)))
 endif
-MODULES = $(PREFIX)/include/furiko/$(compiler)
+MODULES = $(INCLUDEDIR)/furiko/$(compiler)
 
 # Modules are written to and read from the folder where a compiler works, whatever its options are.
 compile = $(FC) $(FFLAGS) $(if $(SHARED),$(PIC)) $(macros)
@@ -56,7 +57,7 @@ help:
 	@echo 'FC=$(FC) FFLAGS="$(FFLAGS)"; SHARED=1: the shared library, too'
 	@echo 'KINDS="real32 real64": without real128'
 	@echo 'PREFIX=$(PREFIX) DESTDIR=; BUILD=$(BUILD)'
-	@echo 'LIBDIR=$(LIBDIR) MODULES=$(MODULES)'
+	@echo 'LIBDIR=$(LIBDIR) INCLUDEDIR=$(INCLUDEDIR) MODULES=$(MODULES)'
 
 $(BUILD)/libfuriko.a: $(library)
 	rm -f $@
@@ -116,19 +117,19 @@ put = install -d "$(DESTDIR)$(2)" && install -m $(or $(3),644) $(1) "$(DESTDIR)$
 install: all
 	@touch $(BUILD)/installed
 	sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(LIBDIR)|; s|@modules@|$(MODULES)|' \
-	   -e 's|@includedir@|$(PREFIX)/include|; s|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
+	   -e 's|@includedir@|$(INCLUDEDIR)|; s|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
 	$(call put,$(BUILD)/libfuriko.a,$(LIBDIR))
 	$(if $(SHARED),$(call put,$(BUILD)/$(soname),$(LIBDIR),755))
 	$(if $(SHARED),ln -sf $(soname) "$(DESTDIR)$(LIBDIR)/libfuriko.so")
 	$(if $(SHARED),echo "$(DESTDIR)$(LIBDIR)/libfuriko.so" >>$(BUILD)/installed)
 	$(call put,$(BUILD)/*.mod,$(MODULES))
-	$(call put,include/furiko.h include/furiko.hpp,$(PREFIX)/include)
+	$(call put,include/furiko.h include/furiko.hpp include/furiko_gsl.h include/furiko_f77.inc,$(INCLUDEDIR))
 	$(call put,$(BUILD)/furiko.pc,$(LIBDIR)/pkgconfig)
 	$(call put,LICENSE,$(PREFIX)/share/licenses/furiko)
 
 uninstall:
 	while read -r file; do rm -f "$$file"; done <$(BUILD)/installed
-	-rmdir "$(DESTDIR)$(MODULES)" "$(DESTDIR)$(PREFIX)/include/furiko" "$(DESTDIR)$(PREFIX)/share/licenses/furiko"
+	-rmdir "$(DESTDIR)$(MODULES)" "$(DESTDIR)$(INCLUDEDIR)/furiko" "$(DESTDIR)$(PREFIX)/share/licenses/furiko"
 	rm $(BUILD)/installed
 
 clean:

@@ -44,6 +44,7 @@ module furiko_cli_answers
 
 
    character(len=*), parameter :: nl = new_line('a')
+   !> What a pipe of Linux holds
    integer, parameter :: full = 2**16
 
 

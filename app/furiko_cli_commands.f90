@@ -6,6 +6,7 @@ module furiko_cli_commands
    use furiko_cli_animate, only : animate_usage
    use furiko_cli_converge, only : converge_usage
    use furiko_cli_digits, only : digits_usage
+   use furiko_cli_driven, only : driven_usage
    use furiko_cli_ellipse, only : arc_usage, perimeter_usage
    use furiko_cli_eval, only : eval_usage
    use furiko_cli_help, only : put_bash, put_fish, put_help, put_manual, put_overview, put_zsh
@@ -22,7 +23,7 @@ module furiko_cli_commands
    public :: find_command
 
 
-   integer, parameter :: how_many = 18
+   integer, parameter :: how_many = 19
 
 
 contains
@@ -38,17 +39,18 @@ contains
       commands(5) = amplitude_usage()
       commands(6) = drift_usage()
       commands(7) = rk4_usage()
-      commands(8) = converge_usage()
-      commands(9) = digits_usage()
-      commands(10) = perimeter_usage()
-      commands(11) = arc_usage()
-      commands(12) = plot_usage()
-      commands(13) = eval_usage()
-      commands(14) = animate_usage()
-      commands(15) = selftest_usage()
-      commands(16) = help_usage()
-      commands(17) = man_usage()
-      commands(18) = completion_usage()
+      commands(8) = driven_usage()
+      commands(9) = converge_usage()
+      commands(10) = digits_usage()
+      commands(11) = perimeter_usage()
+      commands(12) = arc_usage()
+      commands(13) = plot_usage()
+      commands(14) = eval_usage()
+      commands(15) = animate_usage()
+      commands(16) = selftest_usage()
+      commands(17) = help_usage()
+      commands(18) = man_usage()
+      commands(19) = completion_usage()
    end function all_commands
 
 

@@ -11,7 +11,7 @@ module furiko_cli_converge
       operator(-), operator(*), operator(/)
    implicit none
    private
-   public :: converge_usage
+   public :: converge_usage, series, trapezoid, agm
 
 
 contains

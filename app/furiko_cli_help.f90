@@ -11,6 +11,7 @@ module furiko_cli_help
    public :: put_help, put_overview, put_manual, put_bash, put_zsh, put_fish
 
 
+   !> A terminal's 80, the last of which some leave blank
    integer, parameter :: columns = 79
    character(len=*), parameter :: title = 'elliptic functions and the exact pendulum'
 

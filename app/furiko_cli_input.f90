@@ -9,7 +9,9 @@ module furiko_cli_input
    public :: line_input, longest_line
 
 
+   !> Characters; a longer line is no row of a table, and must not take all memory
    integer, parameter :: longest_line = 10**6
+   !> What a pipe of Linux holds
    integer, parameter :: first_size = 2**16
 
 

@@ -25,6 +25,7 @@ module furiko_cli_motion
       column('energy_s_2', places, 6, 12), column('tension', places, 6, 10), column('turns', whole), &
       column('phase', places, 6, 12), column('rk4_rad', places, 6, 12), column('error_rad', powers, 3)]
    character(len=*), parameter :: usual_columns = 'time,angle,harmonic'
+   ! More are a slip: these fill 40 terabytes
    real(wp), parameter :: most_rows = 1.0e12_wp
 
 
@@ -39,7 +40,7 @@ contains
          'or --angle names; angles in degrees, or as 1rad.', &
          'The columns are time, angle, harmonic (the small-angle motion from the same start), rk4 (by ' // &
          'Runge-Kutta, a step a row) and its error, all angles in radians; degrees; rate; energy ' // &
-         '(rate^2/2 - (g/l) cos(angle), that is, over m l^2); tension (over the weight); turns; phase ' // &
+         '(rate^2/2 - (g/l) cos(angle), that is, over m l^2); tension (over m g); turns; phase ' // &
          '(the part of a period since the bottom). Without --columns the text is that of the lecture ' // &
          'note''s furiko.c, without a head.', &
          'furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8', options=[ &
@@ -199,7 +200,7 @@ contains
 
       usage = command('time', 'when the pendulum is first at an angle, when a string goes slack', '', 0, &
          'When a pendulum is first at the angle A from the time 0 on, with its rate and the tension ' // &
-         '(over the weight) there, from a start that --amplitude, --release or --angle names; angles in ' // &
+         '(over m g) there, from a start that --amplitude, --release or --angle names; angles in ' // &
          'degrees, or as 1rad. With --slack: where and when a string in place of the rod goes slack.', &
          example='furiko time --release 90 --at 0', options=[ &
          option('--at', 'A', '', 'the angle, turns counted: 370 is 10 in the next turn'), &

@@ -17,4 +17,4 @@ module furiko_cli_number
    include 'furiko_cli_number_qp.inc'
 #endif
 end module furiko_cli_number
-! rooms: 2774760451
+! rooms: 2513583206

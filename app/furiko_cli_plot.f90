@@ -3,19 +3,24 @@
 !> `furiko plot`: the figures of the notes, and a few they asked for.
 module furiko_cli_plot
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_cli_quantity, only : angle_of, is_below_half_turn
+   use furiko_cli_quantity, only : angle_of, is_below_half_turn, no_unit, number_of
    use furiko_cli_io, only : finish, put, refuse
    use furiko_cli_number, only : read_whole
-   use furiko_cli_options, only : command, command_line, option, word
-   use furiko_cli_text, only : cut, suggestion
-   use furiko_figure, only : amplitude, figure
+   use furiko_cli_options, only : argument, command, command_line, demand, option, word
+   use furiko_cli_text, only : cut, replaced, suggestion
+   use furiko_figure, only : amplitude, figure, paper
    use furiko_figure_accuracy, only : accuracy_figure
    use furiko_figure_converge, only : converge_figure
    use furiko_figure_drift, only : drift_figure
+   use furiko_figure_driven, only : driven_figure, poincare_figure
    use furiko_figure_energy, only : energy_figure
+   use furiko_figure_flow, only : flow_figure
+   use furiko_figure_functions, only : functions_figure, integrals_figure, surface_figure
    use furiko_figure_motion, only : motion_figure
    use furiko_figure_period, only : period_figure
    use furiko_figure_phase, only : phase_figure
+   use furiko_figure_spectrum, only : spectrum_figure
+   use furiko_figure_tension, only : tension_figure
    use furiko_gnuplot, only : begin_picture, draw, is_picture_name, picture
    use furiko_word_arithmetic_dp, only : words
    implicit none
@@ -23,25 +28,61 @@ module furiko_cli_plot
    public :: plot_usage
 
 
-   !> What a figure is called, what it shows, its amplitudes where it takes any
+   !> What a figure is called, what it shows, its amplitudes where it takes any, and who makes it
    type :: entry
-      character(len=8) :: name
-      character(len=64) :: about
-      character(len=24) :: amplitudes
-      integer :: most
+      character(len=9) :: name = ''
+      character(len=64) :: about = ''
+      character(len=24) :: amplitudes = ''
+      integer :: most = 0
+      procedure(maker), pointer, nopass :: make => null()
    end type entry
 
-   type(entry), parameter :: figures(*) = [ &
-      entry('phase', 'phase portrait: librations, separatrix, rotations, by energy', &
-         '30,60,90,120,150', 12), &
-      entry('motion', 'angle against time, exact and harmonic', '0.1rad,0.3rad,1rad', 5), &
-      entry('period', 'period against amplitude, its series, where it is 3 % longer', '', 0), &
-      entry('drift', 'ten swings beside a small-angle clock, which is 3 % faster', '', 1), &
-      entry('converge', 'error of K against work: series, trapezoidal rule, AGM', '60,170', 2), &
-      entry('energy', 'drift of the energy: Runge-Kutta and symplectic methods', '1rad', 1), &
-      entry('accuracy', 'error of K next to 180 degrees by k, m and mc', '', 0)]
+
+   integer, parameter :: how_many = 15
+
+
+   abstract interface
+      !> Curves and commands of a figure, on the paper that it brings
+      subroutine maker(amplitudes, self)
+         import :: amplitude, figure
+         implicit none
+         !> Some; one or none where it takes none
+         type(amplitude), intent(in) :: amplitudes(:)
+         type(figure), intent(inout) :: self
+      end subroutine maker
+   end interface
+
 
 contains
+
+
+   function all_figures() result(list)
+      type(entry) :: list(how_many)
+
+      list = [ &
+         entry('phase', 'phase portrait: librations, the separatrix, rotations', '30,60,90,120,150', 12, &
+            phase_figure), &
+         entry('motion', 'angle against time, exact and harmonic', '0.1rad,0.3rad,1rad', 5, motion_figure), &
+         entry('period', 'period against amplitude up to 179.9 degrees, and its series', '', 0, &
+         period_figure), &
+         entry('drift', 'ten swings beside a small-angle clock, which is 3 % faster', '', 1, drift_figure), &
+         entry('converge', 'error of K against work: series, trapezoidal rule, AGM', '60,170', 2, &
+            converge_figure), &
+         entry('energy', 'error of the energy: Runge-Kutta and symplectic methods', '1rad', 1, &
+         energy_figure), &
+         entry('accuracy', 'error of K next to 180 degrees by k, m and mc', '', 0, accuracy_figure), &
+         entry('functions', 'sn, cn, dn and am for four parameters m', '', 0, functions_figure), &
+         entry('integrals', 'K, E and their complements; F and E over the angle', '', 0, integrals_figure), &
+         entry('surface', 'sn(u, m) as a surface over u and m', '', 0, surface_figure), &
+         entry('spectrum', 'Fourier coefficients of the swing against amplitude', '', 0, spectrum_figure), &
+         entry('flow', 'where every angle and rate of the pendulum go next', '', 0, flow_figure), &
+         entry('tension', 'pull on the string, and where it goes slack', '60,90,120,150', 6, &
+         tension_figure), &
+         entry('driven', 'orbits of a driven pendulum with friction, periodic and not', '', 0, &
+         driven_figure), &
+         entry('poincare', 'section of a chaotic driven pendulum, once a period of the drive', '', 0, &
+            poincare_figure)]
+   end function all_figures
 
 
    function plot_usage() result(usage)
@@ -53,19 +94,26 @@ contains
          'furiko plot motion -o motion.svg --amplitude 0.1rad,0.3rad,1rad', options=[ &
          option('--list', about='the figures and their amplitudes'), &
          option('--output', 'FILE', '', 'the picture: .svg, .png or .pdf; an old one is replaced', 'o'), &
-         option('--size', 'WxH', '800x500', 'width and height in pixels, 300 to 8000, 96 to the inch'), &
+         option('--size', 'WxH', '800x500', 'width and height in pixels, 600x400 to 8000x8000, 96 to ' // &
+         'the inch'), &
+         option('--scale', 'S', '1', 'paper, text and lines so many times as large, 0.75 to 8: with 2 a ' // &
+            'PNG looks the same and has twice the pixels'), &
          option('--title', 'TEXT', '', 'a line above the picture'), &
          option('--amplitude', 'LIST', '', 'amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad'), &
-         option('--data', about='leave the data (.csv) and the script (.gp) beside FILE')], run=plot_command)
+         option('--data', about='leave the data (.csv, with units and this command) and the script ' // &
+            '(.gp) beside FILE')], run=plot_command)
    end function plot_usage
 
 
    subroutine plot_command(line)
       type(command_line), intent(in) :: line
       type(entry) :: chosen
-      integer, parameter :: most_bytes = 1000
       type(word) :: amplitudes, file, title
+      type(amplitude), allocatable :: wanted(:)
+      type(figure) :: content
+      type(picture) :: place
       integer :: extent(2)
+      real(wp) :: scale
 
       if (line%given('--list')) then
          call print_list()
@@ -79,70 +127,70 @@ contains
       if (file%text == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
       if (line%given('--amplitude') .and. amplitudes%text == '') call reject('--amplitude is empty')
       call check_text('-o', file%text)
-      call check_text('--title', title%text)
-      if (len(title%text) > most_bytes) call reject('--title is longer than 1000 bytes')
-      if (.not. is_utf8(title%text)) call reject('--title is not UTF-8')
-      if (index(title%text, ']]>') > 0) call reject('--title has ]]> in it, which no SVG may hold')
-      if (has_noncharacter(title%text)) then
-         call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
-      end if
+      call check_title(title%text)
       if (.not. is_picture_name(file%text)) then
          call reject("-o '" // file%text // "' does not end in .svg, .png or .pdf")
       end if
-      call read_size(line%value('--size'), extent)
-      call make(chosen, amplitudes%text, file%text, extent, title%text, line%given('--data'))
+      call read_size(line%value('--size'), line%value('--scale'), extent, scale)
+      wanted = amplitudes_of(chosen, amplitudes%text)
+
+      ! All that can be refused has been, before any work.
+      call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), &
+         line%given('--data'), place)
+      content%sheet = paper(extent(1), extent(2), title%text /= '')
+      call chosen%make(wanted, content)
+      call draw(place, content, title%text)
    end subroutine plot_command
 
 
-   !> Compute and draw; the amplitudes and the place are looked at before any work.
-   subroutine make(chosen, list, file, extent, title, keep)
-      type(entry), intent(in) :: chosen
-      !> The amplitudes as they were typed; empty for the figure's own
-      character(len=*), intent(in) :: list
-      character(len=*), intent(in) :: file
-      integer, intent(in) :: extent(2)
+   !> A title is text of an SVG file.
+   subroutine check_title(title)
       character(len=*), intent(in) :: title
-      logical, intent(in) :: keep
-      type(amplitude), allocatable :: amplitudes(:)
-      type(figure) :: content
-      type(picture) :: place
+      ! no picture shows more
+      integer, parameter :: most_bytes = 1000
 
-      if (list /= '' .and. chosen%most == 0) call reject(trim(chosen%name) // ' takes no --amplitude')
-      if (list /= '') then
-         amplitudes = amplitudes_of(chosen, list)
-      else if (chosen%amplitudes /= '') then
-         amplitudes = amplitudes_of(chosen, trim(chosen%amplitudes))
-      else
-         allocate(amplitudes(0))
-      end if
-      call begin_picture(file, extent(1), extent(2), keep, place)
+      call check_text('--title', title)
+      if (len(title) > most_bytes) call reject('--title is longer than 1000 bytes')
+      if (.not. is_utf8(title)) call reject('--title is not UTF-8')
+      if (index(title, ']]>') > 0) call reject('--title has ]]> in it, which no SVG may hold')
+      if (has_noncharacter(title)) call reject('--title has U+FFFE or U+FFFF in it, which no SVG may hold')
+   end subroutine check_title
 
-      select case (chosen%name)
-      case ('phase')
-         call phase_figure(amplitudes, content)
-      case ('motion')
-         call motion_figure(amplitudes, content)
-      case ('drift')
-         call drift_figure(amplitudes, content)
-      case ('converge')
-         call converge_figure(amplitudes, content)
-      case ('energy')
-         call energy_figure(amplitudes(1), content)
-      case ('period')
-         call period_figure(content)
-      case default
-         call accuracy_figure(content)
-      end select
-      call draw(place, content, title)
-   end subroutine make
+
+   !> What the picture calls itself: its title, or what the list says of the figure
+   pure function name_of(chosen, title) result(name)
+      type(entry), intent(in) :: chosen
+      character(len=*), intent(in) :: title
+      character(len=:), allocatable :: name
+
+      name = title
+      if (title == '') name = trim(chosen%name) // ': ' // trim(chosen%about)
+   end function name_of
+
+
+   !> The command line, quoted for the shell where that is needed
+   function typed() result(text)
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: next
+      integer :: i
+
+      text = 'furiko'
+      do i = 1, command_argument_count()
+         next = argument(i)
+         if (verify(next, 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.,/_=-') > 0 .or. &
+            next == '') next = "'" // replaced(next, "'", "'\''") // "'"
+         text = text // ' ' // next
+      end do
+   end function typed
 
 
    function find(name) result(chosen)
       character(len=*), intent(in) :: name
       type(entry) :: chosen
+      type(entry) :: figures(how_many)
       integer :: i
 
-      chosen = entry('', '', '', 0)
+      figures = all_figures()
       do i = 1, size(figures)
          if (figures(i)%name == name) then
             chosen = figures(i)
@@ -155,8 +203,10 @@ contains
 
 
    subroutine print_list()
+      type(entry) :: figures(how_many)
       integer :: i
 
+      figures = all_figures()
       do i = 1, size(figures)
          call put(figures(i)%name // '  ' // trim(figures(i)%about // figures(i)%amplitudes))
       end do
@@ -164,10 +214,16 @@ contains
    end subroutine print_list
 
 
-   !> The size from WxH.
-   subroutine read_size(given, extent)
+   !> The size from WxH, and by how much it grows.
+   subroutine read_size(given, given_scale, extent, scale)
       type(word), intent(in) :: given
+      type(word), intent(in) :: given_scale
       integer, intent(out) :: extent(2)
+      real(wp), intent(out) :: scale
+      !> Below these, labels have no room.
+      integer, parameter :: least(2) = [600, 400]
+      integer, parameter :: most = 8000
+      type(words) :: number
       integer(int64) :: side(2)
       integer :: cross
       logical :: valid(2)
@@ -175,20 +231,31 @@ contains
       cross = index(given%text, 'x')
       call read_whole(given%text(:max(0, cross - 1)), side(1), valid(1))
       call read_whole(given%text(cross + 1:), side(2), valid(2))
-      if (.not. all(valid .and. side >= 300 .and. side <= 8000)) call reject("--size '" // given%text // &
-         "' is not as 800x500, each from 300 to 8000 pixels")
+      if (.not. all(valid .and. side >= least .and. side <= most)) call reject("--size '" // &
+         given%text // "' is not as 800x500, from 600x400 to 8000x8000 pixels")
       extent = int(side)
+      number = number_of(given_scale, no_unit)
+      scale = number%hi
+      call demand(scale >= 0.75_wp .and. scale <= 8.0_wp, given_scale, '0.75 to 8')
+      call demand(maxval(extent)*scale < most + 0.5_wp, given_scale, 'what keeps ' // given%text // &
+         ' within 8000 pixels')
    end subroutine read_size
 
 
-   !> The amplitudes of a list with commas between.
-   function amplitudes_of(chosen, list) result(amplitudes)
+   !> The amplitudes of a list with commas between, or the figure's own if it is empty.
+   function amplitudes_of(chosen, typed) result(amplitudes)
       type(entry), intent(in) :: chosen
-      character(len=*), intent(in) :: list
+      character(len=*), intent(in) :: typed
       type(amplitude), allocatable :: amplitudes(:)
-      character(len=:), allocatable :: first, rest
+      character(len=:), allocatable :: first, list, rest
       integer :: i
 
+      list = typed
+      if (typed /= '' .and. chosen%most == 0) call reject(trim(chosen%name) // ' takes no --amplitude')
+      if (typed == '') list = trim(chosen%amplitudes)
+      allocate(amplitudes(0))
+      if (list == '') return
+      deallocate(amplitudes)
       allocate(amplitudes(count([(list(i:i) == ',', i=1, len(list))]) + 1))
       if (size(amplitudes) > chosen%most) then
          call reject(trim(chosen%name) // ' has no room for so many amplitudes')

@@ -157,12 +157,13 @@ contains
    end subroutine settle_signals
 
 
-   !> Run a program with one argument and with files for its input, output and errors, and wait for it.
+   !> Run a program with arguments and with files for its input, output and errors, and wait for it.
    !> If this program is ended, by whatever signal, so is that one, with all that it has started: it is
    !> in a process group apart, with a process of ours that watches.
-   subroutine run_filter(program, argument, files, code)
+   subroutine run_filter(program, arguments, files, code)
       character(len=*), intent(in) :: program
-      character(len=*), intent(in) :: argument
+      !> With a blank between
+      character(len=*), intent(in) :: arguments
       !> Descriptors, each greater than the one before
       integer(c_int), intent(in) :: files(3)
       !> Its exit code; 127 where there is no such program, -1 where none can be started
@@ -179,7 +180,7 @@ contains
          ignored = c_setpgid(guard, guard)
          child = c_fork()
       end if
-      if (child == 0) call become(program, argument, files, guard, ends)
+      if (child == 0) call become(program, arguments, files, guard, ends)
       call deliver_signals()
 
       ignored = c_close(ends(1))
@@ -195,14 +196,16 @@ contains
 
 
    !> In the second child: be the other program, in the first one's group; does not return.
-   subroutine become(program, argument, files, group, ends)
+   subroutine become(program, arguments, files, group, ends)
       character(len=*), intent(in) :: program
-      character(len=*), intent(in) :: argument
+      character(len=*), intent(in) :: arguments
       integer(c_int), intent(in) :: files(3)
       integer(c_int), intent(in) :: group
       integer(c_int), intent(in) :: ends(2)
-      character(kind=c_char), target :: first(len(program) + 1), second(len(argument) + 1)
+      character(kind=c_char), target :: first(len(program) + 1), rest(len(arguments) + 1)
+      type(c_ptr) :: starts(len(arguments) + 2)
       integer(c_int) :: i, ignored
+      integer :: count
 
       ignored = c_setpgid(0_c_int, group)
       ! Only now may the first child find the pipe closed.
@@ -214,8 +217,17 @@ contains
       end do
       call deliver_signals()
       first = transfer(program // c_null_char, first)
-      second = transfer(argument // c_null_char, second)
-      ignored = c_execvp(first, [c_loc(first), c_loc(second), c_null_ptr])
+      rest = transfer(arguments // c_null_char, rest)
+      starts(1) = c_loc(first)
+      count = 1
+      do i = 1, len(arguments)
+         if (arguments(i:i) == ' ') rest(i) = c_null_char
+         if (index(' ' // arguments(:i - 1), ' ', back=.true.) < i) cycle
+         count = count + 1
+         starts(count) = c_loc(rest(i))
+      end do
+      starts(count + 1) = c_null_ptr
+      ignored = c_execvp(first, starts)
       call c_exit_at_once(127_c_int)
    end subroutine become
 

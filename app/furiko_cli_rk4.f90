@@ -92,6 +92,7 @@ contains
       real(wp), intent(in) :: period
       type(integrator), intent(out) :: stepper
       integer(int64), intent(out) :: rows
+      ! the largest round number that a default integer holds
       integer, parameter :: most = 1000000000
       character(len=17), parameter :: forces(4) = [character(len=17) :: '--linear', '--quadratic', &
          '--drive', '--drive-frequency']

@@ -96,4 +96,4 @@ contains
    end subroutine evaluate_rows
 
 end module furiko_cli_rows
-! rooms: 3798139243
+! rooms: 3943898739

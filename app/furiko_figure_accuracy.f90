@@ -4,7 +4,7 @@
 module furiko_figure_accuracy
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : ellipk_k, ellipk_m, ellipk_mc
-   use furiko_figure, only : figure
+   use furiko_figure, only : amplitude, black, blue, column, figure, orange
    use furiko_period_degrees, only : period_ratio_degrees
    use furiko_word_arithmetic_dp, only : words, pi_words, operator(-), operator(*), operator(/)
    implicit none
@@ -22,41 +22,39 @@ module furiko_figure_accuracy
 contains
 
 
-   subroutine accuracy_figure(self)
-      type(figure), intent(out) :: self
+   subroutine accuracy_figure(amplitudes, self)
+      type(amplitude), intent(in) :: amplitudes(:)
+      type(figure), intent(inout) :: self
       character(len=*), parameter :: names(*) = [character(len=7) :: 'K by k', 'K by m', 'K by mc']
-      character(len=*), parameter :: looks(*) = [character(len=48) :: &
-         'lines lw 2 dt (12, 4) lc rgb "#D55E00"', 'lines lw 2 dt (3, 3) lc rgb "#0072B2"', &
-         'lines lw 3 lc rgb "#000000"']
+      character(len=*), parameter :: labels(*) = [character(len=64) :: '<K> by <k> = sin(<θ>_0/2)', &
+         '<K> by <m> = sin^2(<θ>_0/2)', '<K> by <m>_c = cos^2(<θ>_0/2): half an ulp up to the top']
+      integer, parameter :: pens(*) = [orange, blue, black]
       real(wp) :: distance(decades*bins_per_decade), errors(3, decades*bins_per_decade)
       integer :: i
 
+      associate (unused => amplitudes)
+      end associate
       do i = 1, size(distance)
          distance(i) = 10.0_wp**(1.0_wp - (i - 0.5_wp)/bins_per_decade)
          errors(:, i) = worst(1.0_wp - (i - 1.0_wp)/bins_per_decade)
       end do
-      call self%begin('degrees_below_180', 'error_ulp')
+      call self%begin([column('degrees_below_180', '180 degrees less the amplitude'), &
+         column('error_ulp', 'largest of 40 errors of K in units in the last place')], &
+         'Error of K against the distance of the amplitude from 180 degrees. Asked for by k or by m, K ' // &
+         'loses two digits for each decade of the distance, and is infinite from a millionth of a ' // &
+         'degree on, where k and m round to 1. Asked for by mc, its error stays at half a unit in the ' // &
+         'last place.')
+      call self%panel('180° − <θ>_0  (degrees)', 'error of <K>  (units in the last place)', &
+         [10.0_wp, 1e-12_wp], &
+         [0.1_wp, 1e16_wp], log='xy')
+      call self%say('set format "10^{%T}"; set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12); ' // &
+         'set ytics 1, 100, 1e16; unset mxtics; unset mytics')
       do i = 1, size(names)
          call self%add(trim(names(i)), pack(distance, errors(i, :) <= huge(errors)), &
             pack(errors(i, :), errors(i, :) <= huge(errors)))
-         call self%draw(trim(looks(i)))
+         call self%draw(pens(i), trim(labels(i)))
       end do
-
-      call self%say('set xlabel "180° − <θ>_0  (degrees)"')
-      call self%say('set ylabel "error of <K>  (ulp)"')
-      call self%say('set logscale xy')
-      call self%say('set xrange [10:1e-12]')
-      call self%say('set yrange [0.1:1e16]')
-      call self%say('set format "10^{%T}"')
-      call self%say('set xtics (1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)')
-      call self%say('set ytics 1, 100, 1e16')
-      call self%say('unset mxtics')
-      call self%say('unset mytics')
-      call self%say('set label "<K> by <k> = sin(<θ>_0/2)" at 0.8e-2, 1e8 right')
-      call self%say('set label "<K> by <m> = sin^2(<θ>_0/2)" at 0.4e-2, 3e5 left')
-      call self%say('set label "from here on <k> and <m> round to 1: <K> = ∞" at 1e-6, 1e14 left')
-      call self%say('set label "<K> by <m>_c = cos^2(<θ>_0/2): 0.5 ulp up to the top" ' // &
-         'at 1e-7, 4 center')
+      call self%note('<k> and <m> round to 1: <K> = ∞', 1e-6_wp, 1e14_wp, 'left')
       call self%plot()
    end subroutine accuracy_figure
 

@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: MIT
 
-!> The error of K against work: the power series, the trapezoidal rule, the AGM.
+!> The error of K against work: the power series, the trapezoidal rule, the AGM, in two words as `furiko
+!> converge` computes them, so that the curves run through the rounding of a double and beyond.
 module furiko_figure_converge
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : agm_steps_mc, ellipk_mc, ellipk_series_m, ellipk_trapezoid_mc
-   use furiko_figure, only : amplitude, figure, to_text
+   use furiko_cli_converge, only : agm, series, trapezoid
+   use furiko_figure, only : amplitude, black, blue, column, figure, orange, to_text
+   use furiko_word_arithmetic_dp, only : words, operator(-), operator(*), operator(/)
    implicit none
    private
    public :: converge_figure
@@ -12,8 +14,14 @@ module furiko_figure_converge
 
    !> As far as the series goes
    integer, parameter :: most_work = 10000
-   !> Errors below that are rounding: a point there ends a curve
-   real(wp), parameter :: floor_error = epsilon(1.0_wp)/2
+   !> Half an ulp of a number next to 1: what a double cannot tell
+   real(wp), parameter :: rounding = epsilon(1.0_wp)/2
+   real(wp), parameter :: lowest = 1e-20_wp
+   character(len=*), parameter :: names(*) = [character(len=16) :: 'power series', 'trapezoidal rule', 'AGM']
+   character(len=*), parameter :: units(*) = [character(len=12) :: 'terms', 'subintervals', 'steps']
+   character(len=*), parameter :: looks(*) = [character(len=36) :: 'lines lw 2 dt (9, 3)', &
+      'lines lw 2 dt (4, 3)', 'linespoints lw 2 pt 7 ps 0.5*scale']
+   integer, parameter :: pens(*) = [orange, blue, black]
 
 
 contains
@@ -21,87 +29,83 @@ contains
 
    subroutine converge_figure(amplitudes, self)
       type(amplitude), intent(in) :: amplitudes(:)
-      type(figure), intent(out) :: self
+      type(figure), intent(inout) :: self
       integer :: i
 
-      call self%begin('work', 'relative_error', '1,' // to_text(size(amplitudes)) // &
-         ' margins left, right, bottom, top - 2*line spacing 0.06')
-      call self%say('set logscale xy')
-      call self%say('set format y "10^{%T}"')
-      call self%say('set xrange [0.9:10000]')
-      call self%say('set yrange [3e-17:10]')
-      call self%say('set ytics 1e-16, 100, 1')
-      call self%say('set xtics 100')
-      call self%say('unset mytics')
-      call self%say('set xlabel "terms, subintervals, steps"')
-      call self%say('set ylabel "relative error of <K>" offset 1')
+      call self%begin([column('work', 'terms, subintervals or steps'), &
+         column('relative_error', 'relative error of K')], &
+         'Relative error of K against work, a panel for each amplitude. All digits of a double, errors ' // &
+         'below 1.1e-16, are there after')
       do i = 1, size(amplitudes)
-         if (i == size(amplitudes)) then
-            call self%say('set key at graph 1, graph 1.02 right bottom samplen 4')
-         end if
-         call add_panel(amplitudes(i), self)
-         call self%say('set format y ""')
-         call self%say('unset ylabel')
+         if (i > 1) self%about = self%about // ', and after'
+         call self%panel('terms, subintervals, steps', 'relative error of <K>', [0.9_wp, 1e4_wp], &
+            [lowest, 10.0_wp], log='xy', cell=[i, size(amplitudes), 1, 1])
+         call self%say('set xtics 10 format "10^{%T}"; set mxtics 10; set ytics 1e-20, 100 format ' // &
+            '"10^{%T}"; unset mytics')
+         call self%caption('<θ>_0 = ' // amplitudes(i)%label // ';  line: half an ulp')
+         call add_methods(amplitudes(i), self)
+         call self%add('rounding ' // amplitudes(i)%label, [0.9_wp, 1e4_wp], [rounding, rounding])
+         call self%draw(black, '1.1·10^{−16}', style='lines lw 1')
+         call self%plot()
       end do
-      call self%say('unset multiplot')
+      self%about = self%about // '.'
    end subroutine converge_figure
 
 
-   subroutine add_panel(amplitude_, self)
+   !> The curve of each method, up to the first point below the rounding, and how much work that is
+   subroutine add_methods(amplitude_, self)
       type(amplitude), intent(in) :: amplitude_
       type(figure), intent(inout) :: self
-      real(wp) :: exact, m, mc
-      real(wp), dimension(12) :: a, b, c, k, e
+      type(words) :: exact, m, mc
+      character(len=:), allocatable :: work
+      integer, allocatable :: n(:)
+      real(wp), allocatable :: errors(:)
       integer :: i
 
       ! Both exact: m = 1 - mc without rounding
-      m = 1 - cos(amplitude_%radians/2)**2
-      mc = 1 - m
-      exact = ellipk_mc(mc)
-      call add_method('power series', counts(), ellipk_series_m(m, counts()), &
-         'lines lw 2 dt (12, 4) lc rgb "#D55E00"')
-      call add_method('trapezoidal rule', counts(), ellipk_trapezoid_mc(mc, counts()), &
-         'lines lw 2 dt (4, 3) lc rgb "#0072B2"')
-      call agm_steps_mc(mc, a, b, c, k, e)
-      call add_method('AGM', [(i, i=1, size(k) - 1)], k(2:), &
-         'linespoints lw 2 pt 7 ps 0.5 lc rgb "#000000"')
-      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // &
-         '" at graph 0, 1 offset 0, 0.8 left')
-      call self%plot()
-
-   contains
-
-      !> Add the curve of a method up to where it meets the rounding.
-      subroutine add_method(name, n, values, look)
-         character(len=*), intent(in) :: name
-         integer, intent(in) :: n(:)
-         real(wp), intent(in) :: values(:)
-         character(len=*), intent(in) :: look
-         real(wp) :: errors(size(values))
-         integer :: last
-
-         errors = max(abs(values/exact - 1), floor_error)
-         last = 1
-         do while (errors(last) > 2*floor_error .and. last < size(errors))
-            last = last + 1
-         end do
-         call self%add(name // ' ' // amplitude_%label, real(n(:last), wp), errors(:last))
-         call self%draw(look // ' title "' // name // '"')
-      end subroutine add_method
-
-   end subroutine add_panel
-
-
-   !> 1, 2, 3, ..., 40, then about thirty to the decade.
-   pure function counts() result(n)
-      integer, allocatable :: n(:)
-      integer :: i
-
-      allocate(n(40))
-      n = [(i, i=1, 40)]
-      do while (n(size(n)) < most_work)
-         n = [n, min(most_work, n(size(n)) + n(size(n))/13)]
+      m = words(1 - cos(amplitude_%radians/2)**2)
+      mc = words(1 - m%hi)
+      exact = agm(mc)
+      work = ''
+      do i = 1, size(names)
+         call follow(i, m, mc, exact, n, errors)
+         work = to_text(n(size(n)))
+         if (errors(size(n)) > rounding) work = 'more than ' // work
+         self%about = self%about // trim(merge(' ', ',', i == 1)) // ' ' // work // ' ' // trim(units(i))
+         call self%add(trim(names(i)) // ' ' // amplitude_%label, real(n, wp), errors)
+         call self%draw(pens(i), trim(names(i)) // ': ' // work, style=trim(looks(i)))
       end do
-   end function counts
+      self%about = self%about // ' at ' // amplitude_%label
+   end subroutine add_methods
+
+
+   !> Errors of a method, for so many terms or steps as are drawn
+   subroutine follow(method, m, mc, exact, n, errors)
+      integer, intent(in) :: method
+      type(words), intent(in) :: m
+      type(words), intent(in) :: mc
+      type(words), intent(in) :: exact
+      integer, allocatable, intent(out) :: n(:)
+      real(wp), allocatable, intent(out) :: errors(:)
+      type(words) :: error
+      integer :: next
+
+      allocate(n(0), errors(0))
+      next = 1
+      do
+         select case (method)
+         case (1)
+            error = series(m, next)/exact - 1.0_wp
+         case (2)
+            error = trapezoid(m, mc, next)/exact - 1.0_wp
+         case default
+            error = agm(mc, next)/exact - 1.0_wp
+         end select
+         n = [n, next]
+         errors = [errors, max(abs(error%hi), lowest/10)]
+         if (abs(error%hi) <= rounding .or. next == most_work) exit
+         next = min(most_work, next + max(1, next/64))
+      end do
+   end subroutine follow
 
 end module furiko_figure_converge

@@ -4,7 +4,7 @@
 module furiko_figure_energy
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : pendulum_forest_ruth, pendulum_rk4, pendulum_verlet, period_ratio
-   use furiko_figure, only : amplitude, figure, to_text
+   use furiko_figure, only : amplitude, black, blue, column, figure, orange, to_text
    implicit none
    private
    public :: energy_figure
@@ -16,10 +16,10 @@ module furiko_figure_energy
       'Forest-Ruth']
    character(len=*), parameter :: titles(*) = [character(len=20) :: 'Runge–Kutta 4', 'Störmer–Verlet', &
       'Forest–Ruth']
-   character(len=*), parameter :: looks(*) = [character(len=48) :: 'lines lw 2.5 lc rgb "#000000"', &
-      'lines lw 2 dt (12, 4) lc rgb "#D55E00"', 'lines lw 2 dt (4, 3) lc rgb "#0072B2"']
+   integer, parameter :: pens(*) = [black, orange, blue]
    !> Sines in a step of each method
    integer, parameter :: sines_per_step(*) = [4, 1, 3]
+   !> Decades of swings, and in each the looks at the energy that are a point of a curve
    integer, parameter :: decades = 5
    integer, parameter :: looks_per_decade = 8
 
@@ -27,35 +27,34 @@ module furiko_figure_energy
 contains
 
 
-   subroutine energy_figure(amplitude_, self)
-      type(amplitude), intent(in) :: amplitude_
-      type(figure), intent(out) :: self
+   subroutine energy_figure(amplitudes, self)
+      type(amplitude), intent(in) :: amplitudes(:)
+      type(figure), intent(inout) :: self
       real(wp), allocatable :: drifts(:)
       integer, allocatable :: swings(:)
       integer :: i
 
+      allocate(swings(decades*looks_per_decade + 1))
       swings = [(nint(10.0_wp**(real(i, wp)/looks_per_decade)), i=0, decades*looks_per_decade)]
       swings = pack(swings, swings > [0, swings(:size(swings) - 1)])
       allocate(drifts(size(swings)))
-      call self%begin('swings', 'relative_energy_error')
+      call self%begin([column('swings', 'number of the swing'), column('relative_energy_error', &
+         'largest relative error of the energy within it')], &
+         'Relative error of the energy during a hundred thousand swings of ' // amplitudes(1)%label // &
+         ' by three integrators that evaluate the sine equally often. That of the Runge-Kutta method ' // &
+         'grows with every swing until no energy is left; those of the two symplectic methods stay as ' // &
+         'they are.')
+      call self%panel('number of swings to ' // amplitudes(1)%label, 'relative error of the energy', &
+         [1.0_wp, 1e5_wp], [1e-5_wp, 1.5_wp], log='xy', cell=[1, 1, 1, 1])
+      call self%say('set xtics 10 format "10^{%T}"; set ytics 10 format "10^{%T}"; unset mxtics; unset ' // &
+         'mytics')
+      call self%caption(to_text(sines_per_swing) // ' sines a swing for each method')
       do i = 1, size(names)
-         call follow(i, amplitude_%radians, swings, drifts)
+         call follow(i, amplitudes(1)%radians, swings, drifts)
          call self%add(trim(names(i)), real(swings, wp), drifts)
-         call self%draw(trim(looks(i)))
-         call self%say('set label "' // trim(titles(i)) // ', ' // &
-            to_text(sines_per_swing/sines_per_step(i)) // ' steps each" at graph 1.015, first ' // &
-            to_text(drifts(size(drifts))) // ' left')
+         call self%draw(pens(i), trim(titles(i)) // ', ' // to_text(sines_per_swing/sines_per_step(i)) // &
+            ' steps a swing')
       end do
-
-      call self%say('set rmargin 27')
-      call self%say('set xlabel "swings of ' // amplitude_%label // '  (' // &
-         to_text(sines_per_swing) // ' sines in each)"')
-      call self%say('set ylabel "energy error  |Δ<E>| / <E>"')
-      call self%say('set logscale xy')
-      call self%say('set format "10^{%T}"')
-      call self%say('set xrange [1:1e5]')
-      call self%say('unset mxtics')
-      call self%say('unset mytics')
       call self%plot()
    end subroutine energy_figure
 

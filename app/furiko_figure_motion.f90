@@ -4,7 +4,7 @@
 module furiko_figure_motion
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : motion, pendulum, period_ratio
-   use furiko_figure, only : amplitude, figure, fixed, ramp, to_text
+   use furiko_figure, only : amplitude, blue, black, column, figure, fixed, orange, ramp, to_text
    implicit none
    private
    public :: motion_figure
@@ -20,67 +20,62 @@ contains
 
    subroutine motion_figure(amplitudes, self)
       type(amplitude), intent(in) :: amplitudes(:)
-      type(figure), intent(out) :: self
+      type(figure), intent(inout) :: self
       integer :: i
+      logical :: degrees
 
-      call self%begin('time_s', merge('angle_deg', 'angle_rad', in_degrees(amplitudes)), &
-         to_text(size(amplitudes)) // ',1 margins left, right, bottom, top spacing 0.1')
-      call self%say('set xrange [0:10]')
-      call self%say('set xtics 1 format ""')
-      call self%say('set key at graph 1, 1.02 right bottom horizontal nobox samplen 3')
+      degrees = all([(amplitudes(i)%in_degrees, i=1, size(amplitudes))])
+      call self%begin([column('time_s', 'time in seconds; l = 1 m, g = 9.80665 m/s^2'), &
+         column(merge('angle_deg', 'angle_rad', degrees), 'angle in ' // merge('degrees', 'radians', &
+         degrees))], &
+         'Angle against time during ten seconds, a panel for each amplitude. The exact motion and the ' // &
+         'harmonic one start alike, at the bottom with the same rate; the exact one is slower, and the ' // &
+         'more so the wider it swings.')
       do i = 1, size(amplitudes)
-         if (i == size(amplitudes)) then
-            call self%say('set xtics 1 format "%g"')
-            call self%say('set xlabel "time <t>  (seconds; <l> = 1 m, <g> = 9.80665 m/s²)"')
-         end if
-         call add_panel(amplitudes(i), in_degrees(amplitudes), self)
-         call self%say('unset key')
+         call add_panel(amplitudes(i), degrees, [1, 1, i, size(amplitudes)], self)
       end do
-      call self%say('unset multiplot')
    end subroutine motion_figure
 
 
    !> Through the bottom with the rate 2 k ω: θ = 2 asin(k sn(ωt)) beside 2 k sin(ωt), (8) and (9)
    !> of the note.
-   subroutine add_panel(amplitude_, degrees, self)
+   subroutine add_panel(amplitude_, degrees, cell, self)
       type(amplitude), intent(in) :: amplitude_
       !> Whether to draw degrees, rather than radians
       logical, intent(in) :: degrees
+      integer, intent(in) :: cell(4)
       type(figure), intent(inout) :: self
       type(pendulum) :: bob
       type(motion) :: path
       real(wp) :: time(401)
-      real(wp) :: largest, unit
+      real(wp) :: harmonic, largest, unit
 
       unit = merge(degree, 1.0_wp, degrees)
+      largest = amplitude_%radians/unit
+      harmonic = 2*sin(amplitude_%radians/2)/unit
+      if (cell(3) == cell(4)) then
+         call self%panel('time <t>  (seconds; <l> = 1 m, <g> = 9.80665 m/s²)', &
+            '<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // ')', [0.0_wp, until], &
+            [-1.05_wp, 1.05_wp]*largest, cell=cell)
+         call self%say('set xtics 1 format "%g"')
+      else
+         call self%panel('', '<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // ')', [0.0_wp, &
+            until], &
+            [-1.05_wp, 1.05_wp]*largest, cell=cell)
+         call self%say('set xtics 1 format ""')
+      end if
+      call self%say('set ytics (' // to_text(-largest) // ', 0, ' // to_text(largest) // ') format "%.4g"')
       time = ramp(0.0_wp, until, 400)
       path = bob%swinging(amplitude_%radians)
       call self%add('exact ' // amplitude_%label, time, path%angle(time)/unit)
-      call self%draw('lines lw 4 lc rgb "#56B4E9" title "exact"')
-      call self%add('harmonic ' // amplitude_%label, time, &
-         2*sin(amplitude_%radians/2)*sin(bob%frequency()*time)/unit)
-      call self%draw('lines lw 1.5 dt (6, 4) lc rgb "#000000" title "harmonic"')
-
-      largest = amplitude_%radians/unit
-      call self%say('set label 1 "<θ>_0 = ' // amplitude_%label // ',  <T> = ' // &
-         fixed(period_ratio(amplitude_%radians), 4) // ' <T>_h" at graph 0, 1 offset 0, 0.8 left')
-      call self%say('set ylabel "<θ>  (' // trim(merge('degrees', 'rad    ', degrees)) // &
-         ')" offset 1')
-      call self%say('set yrange [' // to_text(-1.05_wp*largest) // ':' // &
-         to_text(1.05_wp*largest) // ']')
-      call self%say('set ytics (' // to_text(-largest) // ', 0, ' // to_text(largest) // &
-         ') format "%g"')
+      call self%draw(blue, style='lines lw 3')
+      call self%add('harmonic ' // amplitude_%label, time, harmonic*sin(bob%frequency()*time))
+      call self%draw(black, dash=orange)
+      call self%caption('<θ>_0 = ' // amplitude_%label // ', <T> = ' // &
+         fixed(period_ratio(amplitude_%radians), 4) // &
+         ' <T>_h;  dotted: to 2<k> = 2 sin(<θ>_0/2) = ' // fixed(harmonic, 4) // &
+         trim(merge('°', '  ', degrees)))
       call self%plot()
    end subroutine add_panel
-
-
-   pure function in_degrees(amplitudes)
-      type(amplitude), intent(in) :: amplitudes(:)
-      logical :: in_degrees
-      integer :: i
-
-      in_degrees = all([(amplitudes(i)%in_degrees, i=1, size(amplitudes))])
-   end function in_degrees
-
 
 end module furiko_figure_motion

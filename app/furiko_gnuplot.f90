@@ -12,7 +12,8 @@ module furiko_gnuplot
    use furiko_cli_io, only : complain, fail, quit
    use furiko_cli_process, only : run_filter
    use furiko_cli_text, only : replaced
-   use furiko_figure, only : figure, to_text
+   use furiko_figure, only : figure, fixed, to_text
+   use furiko_marks, only : with_resolution, with_words
    implicit none
    private
    public :: picture, is_picture_name, begin_picture, draw
@@ -24,6 +25,7 @@ module furiko_gnuplot
    character(len=*), parameter :: closings(*) = [character(len=6) :: '</svg>', 'IEND', '%%EOF']
    !> The code for a program that is not there
    integer, parameter :: not_found = 127
+   !> As in CSS
    real(wp), parameter :: pixels_per_inch = 96.0_wp
 
 
@@ -37,8 +39,13 @@ module furiko_gnuplot
       !> Leave data and script
       logical :: keep = .false.
       integer :: form = 0
+      !> Pixels, as many times as `scale` says
       integer :: width = 0
       integer :: height = 0
+      real(wp) :: scale = 1.0_wp
+      !> What the picture and its data say of themselves: a title, and the command line
+      character(len=:), allocatable :: name
+      character(len=:), allocatable :: command
    end type picture
 
 
@@ -67,20 +74,27 @@ contains
 
 
    !> Find out whether the picture can be written, and what goes beside it; does not return if not.
-   subroutine begin_picture(path, width, height, keep, self)
+   subroutine begin_picture(path, extent, scale, name, command, keep, self)
       !> Where it goes: a name that [[is_picture_name]] knows
       character(len=*), intent(in) :: path
-      !> Its size in pixels
-      integer, intent(in) :: width
-      integer, intent(in) :: height
+      !> Its width and height in pixels, before it is scaled
+      integer, intent(in) :: extent(2)
+      !> By how much paper, text and lines are larger
+      real(wp), intent(in) :: scale
+      !> What the picture is called, and the command line that asks for it
+      character(len=*), intent(in) :: name
+      character(len=*), intent(in) :: command
       !> Leave the data and the script beside it
       logical, intent(in) :: keep
       type(picture), intent(out) :: self
 
       self%path = path
       self%form = form_of(path)
-      self%width = width
-      self%height = height
+      self%width = extent(1)
+      self%height = extent(2)
+      self%scale = scale
+      self%name = name
+      self%command = command
       self%keep = keep
       self%file = open_output(path)
       if (keep) call open_beside(self)
@@ -97,8 +111,8 @@ contains
       integer :: code
 
       ! A name that begins with $ is one of data in the script
-      call ask_gnuplot(self, script_of(self, content, title, '$data << END' // nl // content%csv() // &
-         'END' // nl // "data = '$data'"), drawn, said, code)
+      call ask_gnuplot(self, script_of(self, content, title, '$data << END' // nl // &
+         data_of(self, content) // 'END' // nl // "data = '$data'"), drawn, said, code)
       if (code == not_found) call leave_for_later(self, content, title)
       if (self%keep) call keep_data(self, content, title)
       if (code /= 0 .or. index(tail(drawn, 16), trim(closings(self%form))) == 0) then
@@ -108,6 +122,8 @@ contains
             last_line(tail(said, 1000)))
          call quit()
       end if
+      if (endings(self%form) == '.svg') drawn = with_words(drawn, self%name, content%about)
+      if (endings(self%form) == '.png') drawn = with_resolution(drawn, self%scale*pixels_per_inch)
       call self%file%add(drawn)
       call self%file%close()
    end subroutine draw
@@ -182,13 +198,28 @@ contains
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
 
-      call self%data%add(content%csv())
+      call self%data%add(data_of(self, content))
       call self%script%add(script_of(self, content, title, 'set output ' // &
          quoted('./' // name_of(self%path)) // nl // 'data = ' // &
          quoted('./' // name_of(stem_of(self%path)) // '.csv')))
       call self%data%close()
       call self%script%close()
    end subroutine keep_data
+
+
+   !> The data as a CSV file: what they are and which command makes them, then header and rows.
+   pure function data_of(self, content) result(text)
+      type(picture), intent(in) :: self
+      type(figure), intent(in) :: content
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = '# ' // self%name // nl // '# command: ' // self%command // nl // '# curve: its name' // nl
+      do i = 1, size(content%columns)
+         text = text // '# ' // trim(content%columns(i)%name) // ': ' // trim(content%columns(i)%about) // nl
+      end do
+      text = text // content%csv()
+   end function data_of
 
 
    !> The whole script.
@@ -204,37 +235,22 @@ contains
          'set encoding utf8' // nl // &
          'set minussign' // nl // &
          'set terminal ' // terminal_of(self) // nl // &
+         'scale = ' // fixed(self%scale, 4) // nl // &
          places // nl // &
+         '# The lines in front of the data' // nl // &
+         'head = ' // to_text(4 + size(content%columns)) // nl // &
          "set datafile separator ','" // nl // &
          'set border 3 lw 1' // nl // &
          'set tics nomirror out' // nl // &
-         'unset key' // nl
-      if (content%layout /= '') then
-         text = text // margins_of(self, title) // 'set multiplot layout ' // content%layout
-         if (title /= '') text = text // ' title ' // quoted(title) // ' noenhanced'
-         text = text // nl
-      else if (title /= '') then
-         text = text // 'set title ' // quoted(title) // ' noenhanced' // nl
-      end if
-      text = text // content%script // 'unset output' // nl
+         'unset key' // nl // &
+         'set multiplot'
+      if (title /= '') text = text // ' title ' // quoted(title) // ' noenhanced'
+      text = text // nl // content%script // 'unset multiplot' // nl // 'unset output' // nl
    end function script_of
 
 
-   !> The room for tics and labels around panels, in parts of the picture: gnuplot leaves none.
-   pure function margins_of(self, title) result(text)
-      type(picture), intent(in) :: self
-      character(len=*), intent(in) :: title
-      character(len=:), allocatable :: text
-
-      text = 'left = 100.0/' // to_text(self%width) // nl // &
-         'right = 1 - 25.0/' // to_text(self%width) // nl // &
-         'line = 20.0/' // to_text(self%height) // nl // &
-         'bottom = 76.0/' // to_text(self%height) // nl // &
-         'top = 1 - ' // merge('40.0/', '65.0/', title == '') // to_text(self%height) // nl
-   end function margins_of
-
-
-   !> The terminal, with one and the same face: whatever the machine has for sans-serif.
+   !> The terminal, with one and the same face: whatever the machine has for sans-serif. Paper, letters and
+   !> lines grow together.
    pure function terminal_of(self) result(text)
       type(picture), intent(in) :: self
       character(len=:), allocatable :: text
@@ -242,19 +258,33 @@ contains
 
       select case (endings(self%form))
       case ('.svg')
-         text = 'svg size ' // to_text(self%width) // ',' // to_text(self%height) // &
-            " font 'sans-serif,14'"
+         text = 'svg size ' // pixels() // " font 'sans-serif,14'" // scaled(1.0_wp)
       case ('.png')
-         text = 'pngcairo size ' // to_text(self%width) // ',' // to_text(self%height) // &
-            " font 'sans-serif,10.5' dashlength 1.6"
+         text = 'pngcairo size ' // pixels() // " font 'sans-serif,10.5' dashlength 1.6" // scaled(1.0_wp)
       case default
          ! A little more than the size, since pdfcairo cuts off to whole points
-         write(inches, '(f0.4, a, f0.4, a)') (self%width + 0.1_wp)/pixels_per_inch, 'in,', &
-            (self%height + 0.1_wp)/pixels_per_inch, 'in'
-         text = 'pdfcairo size ' // trim(inches) // " font 'sans-serif,8' fontscale 1" // &
-            ' linewidth 1.5 dashlength 1.8'
+         write(inches, '(f0.4, a, f0.4, a)') (self%scale*self%width + 0.1_wp)/pixels_per_inch, 'in,', &
+            (self%scale*self%height + 0.1_wp)/pixels_per_inch, 'in'
+         text = 'pdfcairo size ' // trim(inches) // " font 'sans-serif,8' dashlength 1.8" // scaled(1.5_wp)
       end select
       text = text // " background '#ffffff'"
+
+   contains
+
+      pure function pixels()
+         character(len=:), allocatable :: pixels
+
+         pixels = to_text(nint(self%scale*self%width)) // ',' // to_text(nint(self%scale*self%height))
+      end function pixels
+
+      pure function scaled(line) result(text)
+         !> The terminal's own width of a line
+         real(wp), intent(in) :: line
+         character(len=:), allocatable :: text
+
+         text = ' fontscale ' // fixed(self%scale, 4) // ' linewidth ' // fixed(line*self%scale, 4)
+      end function scaled
+
    end function terminal_of
 
 

@@ -13,8 +13,9 @@
  * of `count` numbers, which may be 0. Arrays of results overlap no other array. Several results go through pointers,
  * none of which is NULL.
  *
- * Nothing is allocated (but by furiko_rk4), nothing kept between calls: all functions may be called by many threads
- * at once. There are no error codes: where a function has no value, the result is NaN, at a pole it is infinite.
+ * Nothing is allocated (but by the integrators of any system), nothing kept between calls: all functions may be
+ * called by many threads at once. There are no error codes: where a function has no value, the result is NaN, at a
+ * pole it is infinite.
  */
 #ifndef FURIKO_H
 #define FURIKO_H
@@ -1943,8 +1944,8 @@ double furiko_motion_amplitude(const furiko_motion *self);
 /** rate^2/2 - g/l cos(angle), s^-2. */
 double furiko_motion_energy(const furiko_motion *self);
 
-/** At a time: the angle, radians; its rate, radians per second; what pulls the rod over the weight, negative where
- * the rod pushes. @{ */
+/** At a time: the angle, radians; its rate, radians per second; the pull of the rod as a
+ * multiple of the weight, negative where the rod pushes. @{ */
 double furiko_motion_angle(const furiko_motion *self, double time);
 void furiko_motion_angle_v(const furiko_motion *self, size_t count, const double time[], double angle[]);
 double furiko_motion_rate(const furiko_motion *self, double time);
@@ -2005,6 +2006,24 @@ typedef void (*furiko_ratesf)(float t, const float y[], float dy[], void *contex
  * @{ */
 void furiko_rk4(furiko_rates f, void *context, size_t count, double t0, double h, int steps, double y[]);
 void furiko_rk4f(furiko_ratesf f, void *context, size_t count, float t0, float h, int steps, float y[]);
+/** @} */
+
+/** The right-hand side of x'' = a(x): writes x'' into `a`; as furiko_rates. */
+typedef void (*furiko_acceleration)(const double x[], double a[], void *context);
+typedef void (*furiko_accelerationf)(const float x[], float a[], void *context);
+
+/** Verlet's and Forest and Ruth's steps of any system of `count` coordinates; with steps <= 0 nothing is done.
+ *
+ * @param h size of a step, may be below 0
+ * @param x coordinates, before and after
+ * @param v velocities, before and after
+ * @{ */
+void furiko_verlet(furiko_acceleration f, void *context, size_t count, double h, int steps, double x[], double v[]);
+void furiko_verletf(furiko_accelerationf f, void *context, size_t count, float h, int steps, float x[], float v[]);
+void furiko_forest_ruth(furiko_acceleration f, void *context, size_t count, double h, int steps, double x[],
+        double v[]);
+void furiko_forest_ruthf(furiko_accelerationf f, void *context, size_t count, float h, int steps, float x[],
+        float v[]);
 /** @} */
 
 #ifdef __cplusplus

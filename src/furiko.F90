@@ -29,6 +29,9 @@
 !> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
 !>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
 !>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
+!> - Driven, damped pendulums, many at once: `call driven_periods(driven_order8(96), pendulum, state, periods)`,
+!>   sections, cycles and where they double, Lyapunov exponents, winding numbers, basins; see
+!>   [[driven_steps]], [[driven_section]], [[driven_cycle]], [[driven_exponents]], [[driven_basins]].
 !> - Whether this build computes right: `furiko_selftest()` is 0; see [[furiko_selftest]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 ! allow(C121)
@@ -60,6 +63,13 @@ module furiko
    use furiko_rk4
    use furiko_symplectic
    use furiko_pendulum_steps
+   use furiko_driven_scheme
+   use furiko_driven_steps
+   use furiko_driven_sections
+   use furiko_driven_cycles
+   use furiko_driven_lyapunov
+   use furiko_driven_rotation
+   use furiko_driven_basins
    implicit none
    public
 

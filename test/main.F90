@@ -21,6 +21,7 @@ program main
    use test_complete_qp, only : collect_complete_qp => collect_complete
 #endif
    use test_complete_sp, only : collect_complete_sp => collect_complete
+   use test_driven, only : collect_driven
    use test_edges, only : collect_edges
    use test_eval, only : collect_eval
    use test_fgsl, only : collect_fgsl
@@ -128,6 +129,7 @@ program main
       new_testsuite('special-real64', collect_special_dp), &
       new_testsuite('fuzz-real32', collect_fuzz_sp), &
       new_testsuite('fuzz-real64', collect_fuzz_dp), &
+      new_testsuite('driven', collect_driven), &
       new_testsuite('edges', collect_edges), &
       new_testsuite('accuracy', collect_accuracy), &
       new_testsuite('fgsl', collect_fgsl)]

@@ -361,4 +361,4 @@ contains
    end subroutine test_significant
 
 end module test_number
-! rooms: 2774760451
+! rooms: 2513583206

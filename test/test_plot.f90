@@ -5,14 +5,17 @@
 module test_plot
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use test_program, only : contents, line_count, run_inside, run_program, run_shell, work
+   use furiko, only : rk4
+   use furiko_pendulum_rates_dp, only : driven_pendulum_rates
    use testdrive, only : check, error_type, new_unittest, skip_test, test_failed, unittest_type
    implicit none
    private
    public :: collect_plot
 
 
-   character(len=*), parameter :: figures(*) = [character(len=8) :: 'phase', 'motion', 'period', &
-      'drift', 'converge', 'energy', 'accuracy']
+   character(len=*), parameter :: figures(*) = [character(len=9) :: 'phase', 'motion', 'period', &
+      'drift', 'converge', 'energy', 'accuracy', 'functions', 'integrals', 'surface', 'spectrum', 'flow', &
+      'tension', 'driven', 'poincare']
    character(len=*), parameter :: nl = new_line('a')
 
 
@@ -20,6 +23,10 @@ module test_plot
    type :: polyline
       real(wp), allocatable :: x(:)
       real(wp), allocatable :: y(:)
+      !> The third number of a row, where there is one
+      real(wp), allocatable :: z(:)
+      !> Whether it has gaps
+      logical :: broken = .false.
    end type polyline
 
 
@@ -42,6 +49,13 @@ contains
          new_unittest('titles-in-utf-8', test_utf8), &
          new_unittest('amplitudes', test_amplitudes), &
          new_unittest('data', test_data), &
+         new_unittest('data-of-the-functions', test_function_data), &
+         new_unittest('poincare-points-follow-each-other', test_section), &
+         new_unittest('words-of-the-data', test_header), &
+         new_unittest('words-of-the-picture', test_words), &
+         new_unittest('scale', test_scale), &
+         new_unittest('digits-as-converge', test_converge), &
+         new_unittest('how-late', test_late), &
          new_unittest('scripts-and-data', test_scripts), &
          new_unittest('svg-carries-the-data', test_svg)]
    end subroutine collect_plot
@@ -74,7 +88,11 @@ contains
          'phase -o x.svg --nosuch', 'phase -o x.svg --size 800', 'phase -o x.svg --size 800x', &
          'phase -o x.svg --size x500', 'phase -o x.svg --size 8x5', 'phase -o x.svg --size 9000x500', &
          'phase -o x.svg --size 800x500x2', 'phase -o x.svg --size 99999999999x500', &
-         'phase -o x.svg --size -800x500', 'phase -o x.svg --amplitude 0', &
+         'phase -o x.svg --size -800x500', &
+         'phase -o x.svg --size 599x400', 'phase -o x.svg --size 600x399', 'phase -o x.svg --scale 0.7', &
+         'phase -o x.svg --scale 9', 'phase -o x.svg --scale x', 'phase -o x.svg --scale nan', &
+         'phase -o x.svg --size 5000x4000 --scale 2', 'flow -o x.svg --amplitude 1', 'phase -o x.svg ' // &
+         '--amplitude 0', &
          'phase -o x.svg --amplitude 180', 'phase -o x.svg --amplitude 3.15rad', &
          'phase -o x.svg --amplitude -1', 'phase -o x.svg --amplitude 1,', &
          'phase -o x.svg --amplitude ,1', 'phase -o x.svg --amplitude nan', &
@@ -88,7 +106,7 @@ contains
          'phase -o x.svg --title "$(printf "\357\277\276")"', &
          'phase -o x.svg --title "$(printf "x\357\277\277")"', &
          'phase -o x.svg --amplitude $(yes , | head -n 60000 | tr -d "\n")', &
-         'converge -o x.svg --amplitude 1,2,3']
+         'converge -o x.svg --amplitude 1,2,3', 'tension -o x.svg --amplitude 1,2,3,4,5,6,7']
       character(len=:), allocatable :: errors, output
       integer :: code, i
 
@@ -296,7 +314,7 @@ contains
       if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
       if (allocated(error)) return
       call run_inside('furiko plot motion --data --amplitude 0.50rad,60deg -o x.svg && ' // &
-         'cut -d, -f1 x.csv | uniq | grep .; rm x.csv x.gp', output, errors, code)
+         'grep -v "^#" x.csv | cut -d, -f1 | uniq | grep .; rm x.csv x.gp', output, errors, code)
       call check(error, output, 'curve' // nl // 'exact 0.50 rad' // nl // 'harmonic 0.50 rad' // nl &
          // 'exact 60°' // nl // 'harmonic 60°' // nl // 'x.svg' // nl)
       if (allocated(error)) return
@@ -314,9 +332,11 @@ contains
 
       if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
       if (allocated(error)) return
-      call run_inside('furiko plot period --data -o x.svg; grep "^exact,9.0*E+001" x.csv; rm x.*', &
-         output, errors, code)
-      call check(error, output, 'exact,9.000000000E+001,1.180340599E+000' // nl)
+      call run_inside('furiko plot period --data -o x.svg; grep "^exact,9.0*E+001" x.csv; ' // &
+         'tail -n 1 x.csv | cut -d, -f1-3; rm x.*', output, errors, code)
+      ! The latter by mpmath: 2 K(sin^2(179.9/2 degrees))/pi
+      call check(error, output, 'exact,9.000000000E+001,1.180340599E+000,9.000000000E+001' // nl // &
+         'exact,1.799000000E+002,5.366867109E+000' // nl)
       if (allocated(error)) return
       call run_inside('furiko plot drift --data -o x.svg; awk -F, ''/^exact/ && $2 > 9.8 && $3 > most ' // &
          '{most = $3; at = $2} END {print ((at - 10.3)^2 < 1e-3), (most > 39.1)}'' x.csv; rm x.*', &
@@ -328,6 +348,194 @@ contains
          output, errors, code)
       call check(error, output, '104 0' // nl)
    end subroutine test_data
+
+
+   !> A value from each of the figures that show functions, by mpmath 1.4.1 with 40 digits, and what a figure
+   !> marks
+   subroutine test_function_data(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: rows(*) = [character(len=80) :: &
+         'sn of m = 0.90,6.000000000E+000,-6.938929155E-001$', &
+         'cn of m = 0.99,1.200000000E+001,1.041830557E-001$', &
+         'dn of m = 0.50,3.000000000E+000,8.952830450E-001$', &
+         'am of m = 0.90,1.200000000E+001,4.799043231E+000$', &
+         'F of m = 0.99,1.200000000E+002,6.079618589E+000$', &
+         'E of m = 0.50,1.800000000E+002,2.701287762E+000$', &
+         'complement of K,5.000000000E-001,1.854074677E+000$', &
+         'n = 3,9.000000000E+001,1.372435010E+000$', &
+         'sn,4.000000000E+000,9.375000000E-001,9.323326939E-001$', &
+         'flow,8.100000000E+001,-2.500000000E-001,-1.432394488E+001,-9.876883406E-001$', &
+         'slack of 120°,1.094712206E+002,0.000000000E+000$', &
+         'amplitude 60°,0.000000000E+000,2.000000000E+000$', &
+         'periods of a = 0.90,-3.2098[67][0-9]*E+001,1.93358[0-9]*E+000$']
+      character(len=*), parameter :: names(*) = [character(len=9) :: 'functions', 'functions', &
+         'functions', 'functions', &
+         'integrals', 'integrals', 'integrals', 'spectrum', 'surface', 'flow', &
+         'tension', 'tension', 'driven']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(rows)
+         call run_inside('furiko plot ' // trim(names(i)) // ' --data -o x.svg; grep -c "^' // &
+            trim(rows(i)) // &
+            '" x.csv; rm x.*', output, errors, code)
+         call check(error, output, '1' // nl, trim(rows(i)) // ': ' // output // errors)
+         if (allocated(error)) return
+      end do
+   end subroutine test_function_data
+
+
+   !> The second and the third point of each start come from the one before in a period of the drive, in
+   !> steps half as long.
+   subroutine test_section(error)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), parameter :: degree = acos(-1.0_wp)/180, nu = 2.0_wp/3.0_wp
+      integer, parameter :: steps = 480
+      character(len=:), allocatable :: errors, output
+      type(polyline), allocatable :: curves(:)
+      real(wp) :: turn, y(2)
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('furiko plot poincare --data -o x.svg', output, errors, code)
+      curves = data_of(contents(work() // '/x.csv'))
+      call check(error, size(curves) == 1 .and. size(curves(1)%x) == 1200, 'points')
+      if (allocated(error)) return
+      do i = 1, 1199
+         if (modulo(i, 3) == 0) cycle
+         y = [curves(1)%x(i)*degree, curves(1)%y(i)]
+         call rk4(driven_pendulum_rates, [1.0_wp, 0.5_wp, 0.0_wp, 1.5_wp, nu], 0.0_wp, &
+            2*acos(-1.0_wp)/nu/steps, steps, y)
+         turn = (y(1)/degree - curves(1)%x(i + 1))/360
+         call check(error, abs(turn - anint(turn)) < 1e-5_wp .and. abs(y(2) - curves(1)%y(i + 1)) < 1e-4_wp, &
+            'a point that does not follow')
+         if (allocated(error)) return
+      end do
+   end subroutine test_section
+
+
+   !> The data begin with what they are, the command as the shell takes it, and a line for each column.
+   subroutine test_header(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('furiko plot drift --amplitude 5 --title "it''s" --data -o x.svg; head -n 6 ' // &
+         'x.csv; rm x.*', &
+         output, errors, code)
+      call check(error, output, '# it''s' // nl // &
+         '# command: furiko plot drift --amplitude 5 --title ''it''\''''s'' --data -o x.svg' // nl // &
+         '# curve: its name' // nl // '# time_over_small_period: time in periods of small swings' // nl // &
+         '# angle_deg: angle in degrees' // nl // 'curve,time_over_small_period,angle_deg' // nl)
+   end subroutine test_header
+
+
+   !> Every SVG file says what it is, in its own words, once, and is dark on a dark page.
+   subroutine test_words(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output, picture
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(figures)
+         call run_inside('furiko plot ' // trim(figures(i)) // ' -o x.svg', output, errors, code)
+         picture = contents(work() // '/x.svg')
+         call check(error, index(picture, '<svg role="img" aria-labelledby="title about"') > 0 .and. &
+            index(picture, '<title id="title">' // trim(figures(i)) // ': ') > 0 .and. &
+            index(picture, 'Gnuplot') == 0 .and. index(picture, '>data ') == 0 .and. &
+            index(picture, 'prefers-color-scheme: dark') > 0 .and. index(picture, '<text>') > 0, figures(i))
+         if (allocated(error)) return
+         picture = picture(index(picture, '<desc id="about">') + len('<desc id="about">'):)
+         call check(error, index(picture, 'Produced by GNUPLOT') > 100 .and. &
+            index(picture, 'Produced by GNUPLOT') < index(picture, '</desc>'), figures(i) // ' has no words')
+         if (allocated(error)) return
+      end do
+      call run_inside('furiko plot flow --title "a & b <c>" -o x.svg', output, errors, code)
+      call check(error, index(contents(work() // '/x.svg'), '<title id="title">a &amp; b ' // &
+         '&lt;c&gt;</title>') > 0)
+   end subroutine test_words
+
+
+   !> Twice as large: paper, letters, lines, and pixels that are half as large
+   subroutine test_scale(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: forms(*) = ['svg', 'png', 'pdf']
+      character(len=:), allocatable :: errors, extent, output, picture
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(forms)
+         call run_inside('furiko plot tension --size 600x400 --scale 2 -o x.' // forms(i), output, &
+            errors, code)
+         call check(error, code == 0, errors)
+         if (allocated(error)) return
+         picture = contents(work() // '/x.' // forms(i))
+         extent = size_of(forms(i), picture)
+         call check(error, extent == '1200x800' .or. forms(i) == 'pdf' .and. extent == 'packed', extent)
+         if (allocated(error)) return
+         if (forms(i) == 'svg') call check(error, index(picture, 'font-size="28.00"') > 0 .and. &
+            index(picture, 'font-size="14.00"') == 0 .and. index(picture, 'stroke-width="4.00"') > 0, &
+            'letters, lines')
+         if (allocated(error)) return
+         ! 192 pixels an inch: 7559 a metre, and the sum of the chunk by zlib
+         if (forms(i) == 'png') call check(error, picture(34:54) == achar(0) // achar(0) // achar(0) // &
+            achar(9) // &
+            'pHYs' // achar(0) // achar(0) // achar(29) // achar(135) // achar(0) // achar(0) // &
+            achar(29) // &
+            achar(135) // achar(1) // achar(143) // achar(229) // achar(241) // achar(101), 'pHYs')
+         if (allocated(error)) return
+      end do
+   end subroutine test_scale
+
+
+   !> The work that the figure tells is what `furiko converge` needs for an error below half an ulp, at 60
+   !> degrees, k = 1/2.
+   subroutine test_converge(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output, picture
+      integer :: code
+
+      call run_shell('furiko converge --k 1/2 --steps 30 --format csv | awk -F, ''' // &
+         'function small(x) {return (x < 0 ? -x : x) <= 2^-53} ' // &
+         'NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next} ' // &
+         '!s && small($at["series_error"]) {s = $1} !t && small($at["trapezoid_error"]) {t = $1} ' // &
+         '!a && small($at["agm_error"]) {a = $1} ' // &
+         'END {printf "%d terms, %d subintervals, %d steps at 60", s, t, a}''', output, errors, code)
+      call check(error, index(output, '24 terms, 7 subintervals, 4 steps') == 1, output // errors)
+      if (allocated(error)) return
+      if (.not. have_gnuplot()) return
+      picture = output
+      call run_inside('furiko plot converge -o x.svg', output, errors, code)
+      call check(error, index(contents(work() // '/x.svg'), picture) > 0, picture)
+   end subroutine test_converge
+
+
+   !> Small delays are told by their digits.
+   subroutine test_late(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: amplitudes(*) = [character(len=6) :: '5', '39.159', '0.01', '179.99']
+      character(len=*), parameter :: delays(*) = [character(len=16) :: '0.0048', '0.30', '1.9·10−8', '58']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(amplitudes)
+         call run_inside('furiko plot drift --amplitude ' // trim(amplitudes(i)) // ' -o x.svg', &
+            output, errors, code)
+         call check(error, index(contents(work() // '/x.svg'), 'They end ' // trim(delays(i)) // &
+            ' periods') > 0, &
+            amplitudes(i))
+         if (allocated(error)) return
+      end do
+   end subroutine test_late
 
 
    !> What gnuplot is told, and the heads, names and some rows of the data, as in session-plots.txt;
@@ -369,18 +577,20 @@ contains
       type(polyline), allocatable :: curves(:)
       character(len=:), allocatable :: picture, script, group
       logical, allocatable :: seen(:)
-      logical :: logarithmic
+      logical :: logarithmic(2)
       integer :: at, block
 
       script = contents(work() // '/x.gp')
       picture = contents(work() // '/x.svg')
-      logarithmic = index(script, 'set logscale xy') > 0
       curves = data_of(contents(work() // '/x.csv'))
       allocate(seen(size(curves)))
       seen = .false.
+      logarithmic = .false.
       do
          at = index(script, ' index ')
          if (at == 0) exit
+         if (index(script(:at), 'unset logscale') > 0) logarithmic = &
+            [index(script(:at), 'set logscale x') > 0, index(script(:at), 'set logscale y') > 0]
          script = script(at + len(' index '):)
          read(script(:scan(script, ' ')), *) block
          at = index(picture, '<g id="gnuplot_plot_')
@@ -388,14 +598,54 @@ contains
          if (allocated(error)) return
          picture = picture(at + 1:)
          group = picture(:index(picture // '<g id="gnuplot_plot_', '<g id="gnuplot_plot_') - 1)
-         ! A copy of the phase portrait's cell, shifted and cut off
-         if (index(script, ' using 2:3') /= index(script, ' using')) cycle
          seen(block + 1) = .true.
-         call compare_curve(error, name, curves(block + 1), path_of(group), logarithmic)
+         call compare_drawn(error, name, script(:index(script, ' title') - 1), curves(block + 1), &
+            group, logarithmic)
          if (allocated(error)) return
       end do
       call check(error, all(seen), name // ': a curve of the data is not drawn')
    end subroutine compare
+
+
+   !> By the way it is drawn: lines point by point, points and arrows by their number; of the surface,
+   !> which is seen from aslant, and of broken lines, that they are there
+   subroutine compare_drawn(error, name, look, curve, group, logarithmic)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: name
+      !> What the script says of it
+      character(len=*), intent(in) :: look
+      type(polyline), intent(in) :: curve
+      !> The picture's part that shows it
+      character(len=*), intent(in) :: group
+      logical, intent(in) :: logarithmic(2)
+      type(polyline) :: numbers
+
+      numbers%x = curve%x
+      if (index(look, ' using 4:3') > 0) numbers%x = curve%z
+      numbers%y = curve%y
+      if (index(look, ' with points') > 0) then
+         call check(error, occurrences(group, '<use ') == size(curve%x), name // ': number of points')
+      else if (index(look, ' with vectors') > 0) then
+         call check(error, occurrences(group, 'M') == 2*size(curve%x), name // ': number of arrows')
+      else if (index(look, ':4 with') > 0 .or. curve%broken) then
+         call check(error, occurrences(group, 'L') > size(curve%x)/2, name // ': a line is missing')
+      else
+         call compare_curve(error, name, numbers, path_of(group), logarithmic)
+      end if
+   end subroutine compare_drawn
+
+
+   pure function occurrences(text, part) result(count)
+      character(len=*), intent(in) :: text
+      character(len=*), intent(in) :: part
+      integer :: count
+      integer :: i
+
+      count = 0
+      do i = 1, len(text) - len(part) + 1
+         if (text(i:i + len(part) - 1) == part) count = count + 1
+      end do
+   end function occurrences
 
 
    subroutine compare_curve(error, name, numbers, path, logarithmic)
@@ -403,28 +653,39 @@ contains
       character(len=*), intent(in) :: name
       type(polyline), intent(in) :: numbers
       type(polyline), intent(in) :: path
-      logical, intent(in) :: logarithmic
+      logical, intent(in) :: logarithmic(2)
       !> Of a pixel: both ends of the scale are rounded to 0.01, and so is every point
       real(wp), parameter :: tolerance = 0.03_wp
       real(wp), allocatable :: x(:), y(:)
+      real(wp) :: best
       integer :: n
 
-      ! Where the axes cut a curve off, its last point is not of the data
+      ! Where the axes cut a curve off, at one of its ends, its last point is not of the data.
       n = size(path%x)
-      if (n < size(numbers%x)) n = n - 1
       call check(error, n > 1 .and. n <= size(numbers%x), name // ': points')
       if (allocated(error)) return
-      x = numbers%x(:n)
-      y = numbers%y(:n)
-      if (logarithmic) then
-         x = log10(x)
-         y = log10(y)
-      end if
-      call check(error, residual(x, path%x(:n)) < tolerance .and. residual(y, path%y(:n)) < tolerance, &
-         name // ': the path leaves the data')
+      x = numbers%x
+      y = numbers%y
+      if (logarithmic(1)) x = log10(x)
+      if (logarithmic(2)) y = log10(y)
+      best = min(apart(x(:n - 1), y(:n - 1), path%x(:n - 1), path%y(:n - 1)), &
+         apart(x(size(x) - n + 2:), y(size(y) - n + 2:), path%x(2:), path%y(2:)))
+      call check(error, best < tolerance, name // ': the path leaves the data')
       if (allocated(error)) return
       call check(error, maxval(path%x) - minval(path%x) > 1.0_wp, name // ': a curve is a point')
    end subroutine compare_curve
+
+
+   !> How far a path is from numbers, across or down
+   pure function apart(x, y, across, down)
+      real(wp), intent(in) :: x(:)
+      real(wp), intent(in) :: y(:)
+      real(wp), intent(in) :: across(:)
+      real(wp), intent(in) :: down(:)
+      real(wp) :: apart
+
+      apart = max(residual(x, across), residual(y, down))
+   end function apart
 
 
    !> How far pixels are from scale*numbers + shift, these taken from the ends of the range
@@ -443,27 +704,35 @@ contains
    end function residual
 
 
-   !> The curves of a CSV file: runs of rows, blank lines between them
+   !> The curves of a CSV file: runs of rows, two blank lines between them; a single one is a gap
    function data_of(csv) result(curves)
       character(len=*), intent(in) :: csv
       type(polyline), allocatable :: curves(:)
-      real(wp) :: x, y
-      integer :: at, comma, next
+      real(wp) :: row(3)
+      integer :: at, blank, comma, columns, next
 
       allocate(curves(0))
       call append_empty(curves)
-      at = index(csv, nl) + 1
+      at = index(csv, nl // 'curve,') + 1
+      columns = count([(csv(next:next) == ',', next=at, at + index(csv(at:), nl))])
+      at = at + index(csv(at:), nl)
+      row = 0.0_wp
+      blank = 0
       do while (at <= len(csv))
          next = at + index(csv(at:), nl)
          if (next == at + 1) then
-            if (size(curves(size(curves))%x) > 0) call append_empty(curves)
+            blank = blank + 1
          else
+            if (blank == 2) call append_empty(curves)
             comma = at + index(csv(at:next - 2), ',')
-            read(csv(comma:next - 2), *) x, y
+            read(csv(comma:next - 2), *) row(:min(3, columns))
             associate (last => curves(size(curves)))
-               last%x = [last%x, x]
-               last%y = [last%y, y]
+               if (blank == 1) last%broken = .true.
+               last%x = [last%x, row(1)]
+               last%y = [last%y, row(2)]
+               last%z = [last%z, row(3)]
             end associate
+            blank = 0
          end if
          at = next
       end do
@@ -479,37 +748,29 @@ contains
       n = size(curves)
       allocate(longer(n + 1))
       longer(:n) = curves
-      allocate(longer(n + 1)%x(0), longer(n + 1)%y(0))
+      allocate(longer(n + 1)%x(0), longer(n + 1)%y(0), longer(n + 1)%z(0))
       call move_alloc(longer, curves)
    end subroutine append_empty
 
 
-   !> The longest line in the paths of a piece of SVG: the others are samples in a legend
-   function path_of(svg) result(longest)
+   !> The first line in the paths of a piece of SVG: those behind it are axes
+   function path_of(svg) result(line)
       character(len=*), intent(in) :: svg
-      type(polyline) :: longest
+      type(polyline) :: line
       character(len=:), allocatable :: rest
       real(wp), allocatable :: numbers(:)
-      integer :: at, i, points
+      integer :: at, i
 
-      allocate(longest%x(0), longest%y(0))
-      rest = svg
+      rest = svg(index(svg, ' d=''M') + len(' d=''M'):)
+      rest = rest(:index(rest, '''') - 1)
       do i = 1, len(rest)
          if (rest(i:i) == 'L') rest(i:i) = ' '
       end do
-      do
-         at = scan(rest, 'M')
-         if (at == 0) exit
-         rest = rest(at + 1:)
-         at = verify(rest // 'M', '0123456789.,- ')
-         points = count([(rest(i:i) == ',', i=1, at - 1)])
-         if (points <= size(longest%x)) cycle
-         allocate(numbers(2*points))
-         read(rest(:at - 1), *) numbers
-         longest%x = numbers(1::2)
-         longest%y = numbers(2::2)
-         deallocate(numbers)
-      end do
+      at = verify(rest // 'M', '0123456789.,- ' // achar(9) // nl)
+      allocate(numbers(2*count([(rest(i:i) == ',', i=1, at - 1)])))
+      read(rest(:at - 1), *) numbers
+      line%x = numbers(1::2)
+      line%y = numbers(2::2)
    end function path_of
 
 

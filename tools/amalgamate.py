@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 """The library in one file, to be copied into a Fortran program (what C calls is left out):
 
-   python3 tools/amalgamate.py [--kinds KINDS] [--modules NAMES] [FILE]    writes FILE, furiko.F90
+   python3 tools/amalgamate.py [--kinds KINDS] [--modules NAMES] [--f77] [FILE]    writes FILE, furiko.F90
 
    --kinds real64            one kind of real; or real32,real64. All three are the default. real64 is always
                              among them, since real32 computes in it.
    --modules furiko_complete,furiko_carlson
                              these modules and what they use; the default is all there are
+   --f77                     what Fortran 77 calls, FKK and the like, too; by topic: --modules furiko_f77_complete
 """
 import argparse
 import pathlib
@@ -16,6 +17,7 @@ import re
 ROOT = pathlib.Path(__file__).parent.parent
 KINDS = ["real32", "real64", "real128"]
 GUARD = "src/arithmetic/furiko_compiler.inc"
+F77 = "src/f77/furiko_f77"
 INCLUDE = re.compile(r"^\s*#?include\s+['\"](.*)['\"]")
 MODULE = re.compile(r"^\s*module (?!procedure\b|subroutine\b|function\b)(\w+)")
 USE = re.compile(r"^\s*use (?:, *(?:non_)?intrinsic *:: *)?(\w+)")
@@ -26,13 +28,15 @@ IF_REAL128 = "#ifdef FURIKO_REAL128"
 OF_REAL32 = re.compile(r", \w+_real32\b|\bwrong_sp\(\) \+ ")
 
 
-def inlined(path, door, seen):
-    """Lines of a file with those it includes in their places, found as the compiler finds them; comments
-    once, not in each kind of real"""
+def inlined(path, door, seen, but=""):
+    """Lines of a file with those it includes in their places, found as the compiler finds them, but of none whose name
+    ends so; comments once, not in each kind of real"""
     again = path in seen
     seen.add(path)
     for line in path.read_text().splitlines():
         found = INCLUDE.match(line)
+        if found and but and found[1].endswith(but):
+            continue
         if found:
             places = [folder.joinpath(found[1]).resolve() for folder in (path.parent, door.parent)]
             room = next(place for place in places if place.exists())
@@ -73,12 +77,18 @@ class Module:
         return "\n".join(lines).strip("\n") + "\n"
 
 
-def modules():
-    """All modules in an order to compile them in, each with the comments above it"""
+def modules(real32):
+    """All modules in an order to compile them in, each with the comments above it; those for Fortran 77 with the
+    externals below"""
     of_real128, name, lines, seen = False, None, [], set()
     for source in (ROOT / "src/order").read_text().split():
         # What C calls bears names of modules, which compilers refuse in one file.
         if source.startswith("src/c/"):
+            continue
+        if source.startswith(F77):
+            lines = list(inlined(ROOT / source, ROOT / source, seen, "" if real32 else "_real.inc"))
+            yield Module(pathlib.Path(source).stem, lines, False)
+            lines = []
             continue
         for line in inlined(ROOT / source, ROOT / source, seen):
             if name is None and line in (IF_REAL128, "#endif"):
@@ -102,8 +112,8 @@ def header(kinds):
         *(f"! {line}".rstrip() for line in licence), "", (ROOT / GUARD).read_text()])
 
 
-def amalgamated(kinds, roots):
-    everything = [module for module in modules() if "real128" in kinds or not module.of_real128]
+def amalgamated(kinds, roots, f77):
+    everything = [module for module in modules("real32" in kinds) if "real128" in kinds or not module.of_real128]
     dropped = {module.name for module in everything if module.name.endswith("_sp") and "real32" not in kinds}
     home = {module.name: module for module in everything if module.name not in dropped}
     for root in roots:
@@ -112,7 +122,9 @@ def amalgamated(kinds, roots):
     # What the roots use; without any, what is used by none but modules that are left out goes too.
     if not roots:
         used = {use for module in everything for use in module.uses}
-        roots = [name for name in home if name not in used]
+        roots = [name for name in home if name not in used and not name.startswith("furiko_f77")]
+    if f77:
+        roots.append("furiko_f77")
     needed, waiting = set(), list(roots)
     while waiting:
         name = waiting.pop()
@@ -128,10 +140,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--modules", default="")
+    parser.add_argument("--f77", action="store_true")
     parser.add_argument("file", nargs="?", default="furiko.F90")
     options = parser.parse_args()
     wanted = options.kinds.split(",")
     if "real64" not in wanted or not set(wanted) <= set(KINDS):
         parser.error("--kinds is real64, or a list of it and real32 and real128")
-    text = amalgamated([kind for kind in KINDS if kind in wanted], [name for name in options.modules.split(",") if name])
+    text = amalgamated([kind for kind in KINDS if kind in wanted], [name for name in options.modules.split(",") if name], options.f77)
     pathlib.Path(options.file).write_text(text)

@@ -124,7 +124,7 @@ INPUTS = [
     b"#" + b"x" * 100000 + b"\n0.5\n", b"0.5\n0.5", b"inf\n", b"nan\n", b"-inf inf\n", b"nan nan nan nan\n", bytes(range(256)), b"\x1a\n0.5\n", b"\x0c\n", b"\x0b0.5\n",
 ]
 
-OUTPUTS = b"-o", b"--output"
+OUTPUTS = b"-o", b"--output", b"--gif", b"--mp4"
 HARMLESS = b"/dev/full", b"/dev/null", b"/dev/stdout", b"/dev/stderr", b"/", b"//", b"/proc/self/mem", b"/nowhere/x"
 
 Case = collections.namedtuple("Case", "words stdin out bytes", defaults=(b"", "file", BYTES))
@@ -352,10 +352,13 @@ def run(program, case, place, spool):
 def output_of(words):
     """The file that a command line names as its output, none for standard output"""
     name = b""
-    for word, value in zip(words, [*words[1:], b""]):
+    values = iter(words)
+    for word in values:
         if word in OUTPUTS:
-            name = value
-        elif word.startswith(b"--output="):
+            name = next(values, b"")
+        elif word == b"--title":
+            next(values, b"")
+        elif word.split(b"=", 1)[0] in OUTPUTS[1:]:
             name = word.split(b"=", 1)[1]
     return b"" if name == b"-" else name
 
@@ -373,8 +376,10 @@ def judge(case, code, out, said, place, interface):
             broken.append(name)
 
     output = output_of(case.words)
-    asked = [place.absolute(output)] if output else []
-    beside = [os.path.splitext(path)[0] + ending for path in asked for ending in (b".csv", b".gp")
+    named = [place.absolute(output)] if output else []
+    # Where a link leads
+    asked = [os.path.realpath(path) for path in named]
+    beside = [os.path.splitext(path)[0] + ending for path in named for ending in (b".csv", b".gp")
               if b"--data" in case.words or code == 3]
     new = place.changed()
     files = {path for path in new if place.before.get(path, 0) != ()}

@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: MIT
 """The interface for C and C++, from the functions by name (make_catalogue.py) and tools/furiko.h.in:
 
-   python3 tools/make_c_interface.py [FOLDER]   writes include/furiko.h, include/furiko.hpp and src/c/furiko_c_*.inc,
-                                                or all of them into FOLDER; .ci/run compares
+   python3 tools/make_c_interface.py [FOLDER]   writes include/furiko.h, include/furiko.hpp, src/c/furiko_c.f90 and,
+                                                of each module of the facade that has functions by name, the door
+                                                src/c/furiko_c_<topic>.F90 and its room, of each object
+                                                src/c/furiko_c_<object>_methods.inc, or all of them into FOLDER;
+                                                .ci/run compares
 
-A module of the facade that has functions by name has a room here, which needs a door of the same name beside it.
+What an object has is read from the prototypes in tools/furiko.h.in.
 """
 import pathlib
 import re
@@ -39,6 +42,7 @@ MEANINGS_OF = {
 }
 # Symbols that are no names in C, or not to be told from an argument's in Fortran
 SYMBOLS = {"K": "big_k", "T/T_h": "ratio", "M": "mean", "Pi": "pi"}
+OBJECTS = ["modulus", "motion"]
 HEADINGS = {
     "agm": "Arithmetic-geometric mean",
     "complete": "Complete integrals K, E, B, D",
@@ -132,6 +136,95 @@ def write_room(entries, lines):
         yield from ("", "", *array_text(name, arguments, results, name in batched))
 
 
+def write_door(topic, entries, stamp):
+    yield "! SPDX-License-Identifier: MIT"
+    yield '#include "../arithmetic/furiko_compiler.inc"'
+    yield ""
+    yield f"! {WRITTEN}"
+    # A C name that is that of the facade's module, of which no C program knows
+    clash = topic in [name for name, *_ in entries]
+    if clash:
+        yield "! The kinds' modules are used, since a compiler objects that sees C's name and the module's in one file."
+    for kind, c_type, words, suffix in (("sp", "c_float", "float", "f"), ("dp", "c_double", "double", "")):
+        yield from ("", *([""] if kind == "dp" else []))
+        yield f"!> {HEADINGS[topic]}, for C, in {words}; the text is in furiko_c_{topic}.inc."
+        yield f"module furiko_c_{topic}_{kind}"
+        yield f"   use, intrinsic :: iso_c_binding, only : c_size_t, wp => {c_type}"
+        yield "   ! allow(C121)"
+        yield f"   use furiko_{topic}{f'_{kind}' if clash else ''} ! all there is"
+        yield from ("   implicit none", "   private", "   ! What C's names end in")
+        yield f"   character(len=*), parameter :: suffix = '{suffix}'"
+        yield f"   include 'furiko_c_{topic}.inc'"
+        yield f"end module furiko_c_{topic}_{kind}"
+    yield stamp
+
+
+def methods(name, template):
+    """Prototypes of an object's functions of at most one number: result, name, the number, whether of an array"""
+    self = rf"const furiko_{name} \*self"
+    for line in template.split("\n"):
+        found = re.match(rf"(double|int) furiko_{name}_(\w+)\({self}(?:, double (\w+))?\);", line)
+        if found:
+            yield (*found.groups(), False)
+        found = re.match(rf"void furiko_{name}_(\w+)_v\({self}, size_t count, const double (\w+)\[\], double \w+\[\]\);", line)
+        if found:
+            yield ("double", *found.groups(), True)
+
+
+def method_text(object_name, result, name, number, many):
+    label = f"bind(c, name='furiko_{object_name}_{name}{'_v' if many else ''}')"
+    given = f", {number}" if number else ""
+    if many:
+        yield f"   pure subroutine c_{name}_v(self, count, {number}, f) {label}"
+    else:
+        yield f"   pure function c_{name}(self{given}) result(f) {label}"
+    yield "      type(c_object), intent(in) :: self"
+    if many:
+        yield "      integer(c_size_t), intent(in), value :: count"
+        yield f"      real(wp), intent(in) :: {number}(count)"
+        yield "      real(wp), intent(out) :: f(count)"
+    else:
+        if number:
+            yield f"      real(wp), intent(in), value :: {number}"
+        yield f"      {'integer(c_int)' if result == 'int' else 'real(wp)'} :: f"
+    yield "      type(object) :: p"
+    if many:
+        yield "      integer(c_size_t) :: first, last"
+    yield from ("", "      p = stored(self)")
+    if many:
+        yield "      do first = 1, count, most"
+        yield "         last = min(first + most - 1, count)"
+        yield f"         f(first:last) = p%{name}({number}(first:last))"
+        yield from ("      end do", f"   end subroutine c_{name}_v")
+    else:
+        value = f"p%{name}({number or ''})"
+        yield f"      f = {f'merge(1_c_int, 0_c_int, {value})' if result == 'int' else value}"
+        yield f"   end function c_{name}"
+
+
+def write_methods(name):
+    yield f"   ! {WRITTEN} What C asks of the object."
+    for method in methods(name, (ROOT / "tools/furiko.h.in").read_text()):
+        yield from ("", "", *method_text(name, *method))
+
+
+def write_all(topics):
+    """A module that uses all that is called from C, the hand-written doors too"""
+    used = [f"furiko_c_{topic}_{kind}" for topic in topics for kind in ("sp", "dp")]
+    for door in (ROOT / "src/c").glob("*.F90"):
+        used += re.findall(r"^module (\w+)", door.read_text(), re.M)
+    yield "! SPDX-License-Identifier: MIT"
+    yield ""
+    yield f"! {WRITTEN}"
+    yield ""
+    yield "!> All that C calls: for fpm, which leaves out of a library the modules that no program uses. Fortran finds"
+    yield "!> nothing here."
+    yield "! allow(C121)"
+    yield "module furiko_c"
+    yield from (f"   use {module}" for module in sorted(set(used)))
+    yield from ("   implicit none", "   private", "end module furiko_c")
+
+
 # The headers
 
 def prototypes(name, arguments, results):
@@ -207,16 +300,19 @@ def filled(template, topics):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else None
     topics = {module.removeprefix("furiko_"): found for module, found in make_catalogue.topics().items()}
+    doors = ROOT / "src/c"
+    written = {"furiko_c.f90": write_all(topics)}
     for topic, entries in topics.items():
-        room = f"furiko_c_{topic}"
-        if not (ROOT / "src/c" / f"{room}.F90").exists():
-            sys.exit(f"make_c_interface: no door src/c/{room}.F90")
-        ((folder or ROOT / "src/c") / f"{room}.inc").write_text("\n".join(write_room(entries, make_catalogue.module_lines(f"furiko_{topic}"))) + "\n")
-    used = re.findall(r"^   use (\w+)", (ROOT / "src/c/furiko_c.f90").read_text(), re.M)
-    for door in (ROOT / "src/c").glob("*.F90"):
-        for module in re.findall(r"^module (\w+)", door.read_text(), re.M):
-            if module not in used:
-                sys.exit(f"make_c_interface: src/c/furiko_c.f90 does not use {module}")
+        name = f"furiko_c_{topic}"
+        door = doors / f"{name}.F90"
+        # The sum over the rooms is not ours, but tools/stamp's
+        stamp = door.read_text().splitlines()[-1] if door.exists() else "! rooms: 0"
+        written[door.name] = write_door(topic, entries, stamp)
+        written[f"{name}.inc"] = write_room(entries, make_catalogue.module_lines(f"furiko_{topic}"))
+    for name in OBJECTS:
+        written[f"furiko_c_{name}_methods.inc"] = write_methods(name)
+    for name, lines in written.items():
+        ((folder or doors) / name).write_text("\n".join(lines) + "\n")
     for header in ("furiko.h", "furiko.hpp"):
         ((folder or ROOT / "include") / header).write_text(filled(f"{header}.in", topics))
 

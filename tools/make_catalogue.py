@@ -127,7 +127,13 @@ def topics():
                 _, _, results, about = found[f"{form[1]}_k"]
             found[name] = name, arguments, results, about
             by_module.setdefault(module, []).append(found[name])
-    return by_module
+    return {module: together(found) for module, found in by_module.items()}
+
+
+def together(found):
+    """Those of one name in several forms beside each other"""
+    stems = [FORM.sub(r"\1", name) for name, *_ in found]
+    return [entry for _, entry in sorted(zip(map(stems.index, stems), found), key=lambda pair: pair[0])]
 
 
 def entries():

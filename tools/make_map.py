@@ -21,11 +21,13 @@ STOREYS = {"arithmetic": "pairs and triples of numbers, bits, sine and cosine of
            "functions": "nome, theta, Jacobi's functions and their inverses, zeta",
            "pendulum": "its period and its exact motion",
            "integrators": "equations of motion step by step",
+           "driven": "driven, damped pendulums, many at once",
            "classics": "the lecture notes' own ways, the ellipse",
            "selftest": "known values",
            "src": "what a program uses",
            "catalogue": "functions by name",
            "c": "what a C program calls",
+           "f77": "what Fortran 77 calls",
            "app": "the program"}
 USE = re.compile(r"^ *use (furiko\w*)", re.M)
 INCLUDE = re.compile(r"""^#? *include ['"](?:\.\./)?(\w+)/furiko_\w+\.inc""", re.M)

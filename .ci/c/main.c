@@ -498,6 +498,52 @@ static void check_callback(void)
     check(system.calls == 16, "rk4 of no steps", "calls back");
 }
 
+static void acceleration(const double x[], double a[], void *context)
+{
+    struct system *system = context;
+    ++system->calls;
+    a[0] = -system->omega2*sin(x[0]);
+    a[1] = 1;
+}
+
+static void accelerationf(const float x[], float a[], void *context)
+{
+    struct system *system = context;
+    ++system->calls;
+    a[0] = -(float)system->omega2*sinf(x[0]);
+    a[1] = 1;
+}
+
+static void check_symplectic(void)
+{
+    struct system system = {1.5, 0, 0};
+    const double omega2 = 1.5;
+    double angle, rate;
+    int method;
+    for (method = 0; method < 2; ++method) {
+        double x[] = {GUARD, 1, 0, GUARD}, v[] = {GUARD, 0, 0, GUARD};
+        float xf[] = {1, 0, (float)GUARD}, vf[] = {0, 0, (float)GUARD};
+        angle = 1;
+        rate = 0;
+        system.calls = 0;
+        (method ? furiko_forest_ruth : furiko_verlet)(acceleration, &system, 2, 0.125, 4, x + 1, v + 1);
+        (method ? furiko_forest_ruthf : furiko_verletf)(accelerationf, &system, 2, 0.125f, 4, xf, vf);
+        (method ? furiko_pendulum_forest_ruth : furiko_pendulum_verlet)(1, &omega2, 0.125, 4, &angle, &rate);
+        check_near(x[1], angle, "verlet or forest_ruth");
+        check_near(v[1], rate, "verlet or forest_ruth");
+        /* A constant acceleration is exact. */
+        check_near(x[2], 0.125, "verlet or forest_ruth");
+        check_near(v[2], 0.5, "verlet or forest_ruth");
+        check_nearf(xf[0], angle, "verletf or forest_ruthf");
+        check_nearf(vf[0], rate, "verletf or forest_ruthf");
+        check(x[0] == GUARD && x[3] == GUARD && v[0] == GUARD && v[3] == GUARD && xf[2] == (float)GUARD &&
+            vf[2] == (float)GUARD, "verlet or forest_ruth", "writes beside an array");
+        check(system.calls == (method ? 24 : 8), "verlet or forest_ruth", "calls back too often");
+        (method ? furiko_forest_ruth : furiko_verlet)(acceleration, &system, 2, 0.125, 0, x + 1, v + 1);
+        check(system.calls == (method ? 24 : 8), "verlet or forest_ruth of no steps", "calls back");
+    }
+}
+
 int main(int count, char **arguments)
 {
     check(count == 2, "main", "needs the path of names.dat");
@@ -509,6 +555,7 @@ int main(int count, char **arguments)
     check_motion();
     check_steps();
     check_callback();
+    check_symplectic();
     printf("%lu functions by name, %ld of %ld checks failed\n", (unsigned long)FUNCTIONS, faults, checks);
     return faults != 0 || checks < 3000000;
 }

@@ -1,5 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
+! Written by tools/make_c_interface.py.
+
 !> All that C calls: for fpm, which leaves out of a library the modules that no program uses. Fortran finds
 !> nothing here.
 ! allow(C121)
@@ -45,6 +47,8 @@ module furiko_c
    use furiko_c_selftest
    use furiko_c_series_dp
    use furiko_c_series_sp
+   use furiko_c_symplectic_dp
+   use furiko_c_symplectic_sp
    use furiko_c_theta_dp
    use furiko_c_theta_sp
    use furiko_c_third_kind_dp

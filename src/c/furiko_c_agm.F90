@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-! Its C name is that of a module, of which no C program knows: so the kinds' modules are used, lest a
-! compiler that sees both in one file object.
+! Written by tools/make_c_interface.py.
+! The kinds' modules are used, since a compiler objects that sees C's name and the module's in one file.
 
-!> The arithmetic-geometric mean for C, in float; the text is in furiko_c_agm.inc.
+!> Arithmetic-geometric mean, for C, in float; the text is in furiko_c_agm.inc.
 module furiko_c_agm_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -17,7 +17,7 @@ module furiko_c_agm_sp
 end module furiko_c_agm_sp
 
 
-!> The arithmetic-geometric mean for C, in double; the text is in furiko_c_agm.inc.
+!> Arithmetic-geometric mean, for C, in double; the text is in furiko_c_agm.inc.
 module furiko_c_agm_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

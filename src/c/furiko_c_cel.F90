@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Bulirsch's cel for C, in float; the text is in furiko_c_cel.inc.
+! Written by tools/make_c_interface.py.
+
+!> Bulirsch's cel, for C, in float; the text is in furiko_c_cel.inc.
 module furiko_c_cel_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_cel_sp
 end module furiko_c_cel_sp
 
 
-!> Bulirsch's cel for C, in double; the text is in furiko_c_cel.inc.
+!> Bulirsch's cel, for C, in double; the text is in furiko_c_cel.inc.
 module furiko_c_cel_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The complete integrals K, E, B, D for C, in float; the text is in furiko_c_complete.inc.
+! Written by tools/make_c_interface.py.
+
+!> Complete integrals K, E, B, D, for C, in float; the text is in furiko_c_complete.inc.
 module furiko_c_complete_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_complete_sp
 end module furiko_c_complete_sp
 
 
-!> The complete integrals K, E, B, D for C, in double; the text is in furiko_c_complete.inc.
+!> Complete integrals K, E, B, D, for C, in double; the text is in furiko_c_complete.inc.
 module furiko_c_complete_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The integrals J for C, in float; the text is in furiko_c_ellipj.inc.
+! Written by tools/make_c_interface.py.
+
+!> The associate integral of the third kind, for C, in float; the text is in furiko_c_ellipj.inc.
 module furiko_c_ellipj_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_ellipj_sp
 end module furiko_c_ellipj_sp
 
 
-!> The integrals J for C, in double; the text is in furiko_c_ellipj.inc.
+!> The associate integral of the third kind, for C, in double; the text is in furiko_c_ellipj.inc.
 module furiko_c_ellipj_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

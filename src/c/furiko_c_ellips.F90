@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The integral S for C, in float; the text is in furiko_c_ellips.inc.
+! Written by tools/make_c_interface.py.
+
+!> The complete integral S, for C, in float; the text is in furiko_c_ellips.inc.
 module furiko_c_ellips_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_ellips_sp
 end module furiko_c_ellips_sp
 
 
-!> The integral S for C, in double; the text is in furiko_c_ellips.inc.
+!> The complete integral S, for C, in double; the text is in furiko_c_ellips.inc.
 module furiko_c_ellips_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

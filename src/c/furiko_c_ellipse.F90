@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The ellipse's perimeter for C, in float; the text is in furiko_c_ellipse.inc.
+! Written by tools/make_c_interface.py.
+
+!> The ellipse, for C, in float; the text is in furiko_c_ellipse.inc.
 module furiko_c_ellipse_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_ellipse_sp
 end module furiko_c_ellipse_sp
 
 
-!> The ellipse's perimeter for C, in double; the text is in furiko_c_ellipse.inc.
+!> The ellipse, for C, in double; the text is in furiko_c_ellipse.inc.
 module furiko_c_ellipse_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

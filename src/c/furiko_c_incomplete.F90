@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The incomplete integrals F, E, D for C, in float; the text is in furiko_c_incomplete.inc.
+! Written by tools/make_c_interface.py.
+
+!> Incomplete integrals F, E, D, for C, in float; the text is in furiko_c_incomplete.inc.
 module furiko_c_incomplete_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_incomplete_sp
 end module furiko_c_incomplete_sp
 
 
-!> The incomplete integrals F, E, D for C, in double; the text is in furiko_c_incomplete.inc.
+!> Incomplete integrals F, E, D, for C, in double; the text is in furiko_c_incomplete.inc.
 module furiko_c_incomplete_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The inverses of K and of the period for C, in float; the text is in furiko_c_inverse_period.inc.
+! Written by tools/make_c_interface.py.
+
+!> Inverses of K and of the period, for C, in float; the text is in furiko_c_inverse_period.inc.
 module furiko_c_inverse_period_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_inverse_period_sp
 end module furiko_c_inverse_period_sp
 
 
-!> The inverses of K and of the period for C, in double; the text is in furiko_c_inverse_period.inc.
+!> Inverses of K and of the period, for C, in double; the text is in furiko_c_inverse_period.inc.
 module furiko_c_inverse_period_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

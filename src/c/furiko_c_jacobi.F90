@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The Jacobi elliptic functions for C, in float; the text is in furiko_c_jacobi.inc.
+! Written by tools/make_c_interface.py.
+
+!> Jacobi elliptic functions, for C, in float; the text is in furiko_c_jacobi.inc.
 module furiko_c_jacobi_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_jacobi_sp
 end module furiko_c_jacobi_sp
 
 
-!> The Jacobi elliptic functions for C, in double; the text is in furiko_c_jacobi.inc.
+!> Jacobi elliptic functions, for C, in double; the text is in furiko_c_jacobi.inc.
 module furiko_c_jacobi_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

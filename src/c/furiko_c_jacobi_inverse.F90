@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The inverses of Jacobi's functions for C, in float; the text is in furiko_c_jacobi_inverse.inc.
+! Written by tools/make_c_interface.py.
+
+!> Inverses of Jacobi's functions, for C, in float; the text is in furiko_c_jacobi_inverse.inc.
 module furiko_c_jacobi_inverse_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_jacobi_inverse_sp
 end module furiko_c_jacobi_inverse_sp
 
 
-!> The inverses of Jacobi's functions for C, in double; the text is in furiko_c_jacobi_inverse.inc.
+!> Inverses of Jacobi's functions, for C, in double; the text is in furiko_c_jacobi_inverse.inc.
 module furiko_c_jacobi_inverse_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> Jacobi's zeta and Heuman's lambda for C, in float; the text is in furiko_c_jacobi_zeta.inc.
+! Written by tools/make_c_interface.py.
+
+!> Jacobi's zeta, Heuman's lambda, for C, in float; the text is in furiko_c_jacobi_zeta.inc.
 module furiko_c_jacobi_zeta_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_jacobi_zeta_sp
 end module furiko_c_jacobi_zeta_sp
 
 
-!> Jacobi's zeta and Heuman's lambda for C, in double; the text is in furiko_c_jacobi_zeta.inc.
+!> Jacobi's zeta, Heuman's lambda, for C, in double; the text is in furiko_c_jacobi_zeta.inc.
 module furiko_c_jacobi_zeta_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

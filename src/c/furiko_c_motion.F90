@@ -5,9 +5,9 @@
 !> anybody else; the text is in furiko_c_motion.inc.
 module furiko_c_motion
    use, intrinsic :: iso_c_binding, only : c_double, c_int, c_int64_t, c_size_t
-   use furiko_motion, only : motion, pendulum
+   use furiko_motion, only : object => motion, pendulum
    implicit none
    private
    include 'furiko_c_motion.inc'
 end module furiko_c_motion
-! rooms: 486016146
+! rooms: 1890783513

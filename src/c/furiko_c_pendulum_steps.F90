@@ -25,4 +25,4 @@ module furiko_c_pendulum_steps_dp
    integer(c_size_t), parameter :: most = 4096
    include 'furiko_c_pendulum_steps.inc'
 end module furiko_c_pendulum_steps_dp
-! rooms: 2437167693
+! rooms: 4258310681

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The pendulum's period for C, in float; the text is in furiko_c_period.inc.
+! Written by tools/make_c_interface.py.
+
+!> The pendulum's period, for C, in float; the text is in furiko_c_period.inc.
 module furiko_c_period_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_period_sp
 end module furiko_c_period_sp
 
 
-!> The pendulum's period for C, in double; the text is in furiko_c_period.inc.
+!> The pendulum's period, for C, in double; the text is in furiko_c_period.inc.
 module furiko_c_period_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -14,4 +14,4 @@ module furiko_c_rk4_dp
    character(len=*), parameter :: suffix = ''
    include 'furiko_c_rk4.inc'
 end module furiko_c_rk4_dp
-! rooms: 2166460624
+! rooms: 3434904353

@@ -12,4 +12,4 @@ module furiko_c_rk4_sp
    character(len=*), parameter :: suffix = 'f'
    include 'furiko_c_rk4.inc'
 end module furiko_c_rk4_sp
-! rooms: 2166460624
+! rooms: 3434904353

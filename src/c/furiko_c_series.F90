@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The pendulum's amplitude by three terms for C, in float; the text is in furiko_c_series.inc.
+! Written by tools/make_c_interface.py.
+
+!> The pendulum's period by its series, for C, in float; the text is in furiko_c_series.inc.
 module furiko_c_series_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_series_sp
 end module furiko_c_series_sp
 
 
-!> The pendulum's amplitude by three terms for C, in double; the text is in furiko_c_series.inc.
+!> The pendulum's period by its series, for C, in double; the text is in furiko_c_series.inc.
 module furiko_c_series_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

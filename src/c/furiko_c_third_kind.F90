@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: MIT
 #include "../arithmetic/furiko_compiler.inc"
 
-!> The integrals of the third kind for C, in float; the text is in furiko_c_third_kind.inc.
+! Written by tools/make_c_interface.py.
+
+!> The third kind, for C, in float; the text is in furiko_c_third_kind.inc.
 module furiko_c_third_kind_sp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_float
    ! allow(C121)
@@ -14,7 +16,7 @@ module furiko_c_third_kind_sp
 end module furiko_c_third_kind_sp
 
 
-!> The integrals of the third kind for C, in double; the text is in furiko_c_third_kind.inc.
+!> The third kind, for C, in double; the text is in furiko_c_third_kind.inc.
 module furiko_c_third_kind_dp
    use, intrinsic :: iso_c_binding, only : c_size_t, wp => c_double
    ! allow(C121)

@@ -4,6 +4,7 @@
 module furiko_agm_steps_sp
    use, intrinsic :: iso_fortran_env, only : wp => real32
    use furiko_bits_sp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_word_arithmetic_sp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
       operator(*), operator(/)
    implicit none
@@ -15,6 +16,7 @@ end module furiko_agm_steps_sp
 module furiko_agm_steps_dp
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_bits_dp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_word_arithmetic_dp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
       operator(*), operator(/)
    implicit none
@@ -27,6 +29,7 @@ end module furiko_agm_steps_dp
 module furiko_agm_steps_qp
    use, intrinsic :: iso_fortran_env, only : wp => real128
    use furiko_bits_qp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use furiko_word_arithmetic_qp, only : words, value, pi_words, sqrt, operator(+), operator(-), &
       operator(*), operator(/)
    implicit none
@@ -47,4 +50,4 @@ module furiko_agm_steps
    implicit none
    public
 end module furiko_agm_steps
-! rooms: 3923648874
+! rooms: 2428536625

@@ -3,6 +3,7 @@
 
 module furiko_trapezoid_sp
    use furiko_bits_sp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
    private
@@ -12,6 +13,7 @@ end module furiko_trapezoid_sp
 
 module furiko_trapezoid_dp
    use furiko_bits_dp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
    private
@@ -22,6 +24,7 @@ end module furiko_trapezoid_dp
 #ifdef FURIKO_REAL128
 module furiko_trapezoid_qp
    use furiko_bits_qp, only : infinity, is_nan, nan
+   use furiko_forms, only : by_k, by_m, by_mc
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
    private
@@ -41,4 +44,4 @@ module furiko_trapezoid
    implicit none
    public
 end module furiko_trapezoid
-! rooms: 1696140422
+! rooms: 332344304

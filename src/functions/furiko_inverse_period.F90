@@ -51,4 +51,4 @@ module furiko_inverse_period
    implicit none
    public
 end module furiko_inverse_period
-! rooms: 2698357562
+! rooms: 3730169734

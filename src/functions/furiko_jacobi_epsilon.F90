@@ -55,4 +55,4 @@ module furiko_jacobi_epsilon
    public
    private :: epsilon_of
 end module furiko_jacobi_epsilon
-! rooms: 2866006024
+! rooms: 1000368413

@@ -56,4 +56,4 @@ module furiko_jacobi_inverse
    implicit none
    public
 end module furiko_jacobi_inverse
-! rooms: 2109081419
+! rooms: 1943715822

@@ -83,7 +83,8 @@ end module furiko_modulus_qp
 #endif
 
 
-!> `modulus` is of real64; `modulus_real32` and `modulus_real128` are its sisters
+!> `modulus` is of real64; `modulus_real32` and `modulus_real128` are its sisters. By lists: the kinds'
+!> modules have procedures for other rooms, too, of the same names.
 module furiko_modulus
    use furiko_modulus_sp, only : modulus_real32 => modulus, modulus_from_k, modulus_from_m, &
       modulus_from_mc, modulus_from_alpha, modulus_from_amplitude

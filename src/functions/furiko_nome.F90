@@ -50,7 +50,8 @@ end module furiko_nome_qp
 #endif
 
 
-!> Jacobi's nome of k, m or mc and its inverse, in real32, real64 and real128
+!> Jacobi's nome of k, m or mc and its inverse, in real32, real64 and real128. By lists: the kinds'
+!> modules have procedures for other rooms, too, of the same names.
 module furiko_nome
    use furiko_nome_sp, only : nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
@@ -65,4 +66,4 @@ module furiko_nome
    public :: nome_k, nome_m, nome_mc, parameter_from_nome, &
       complementary_parameter_from_nome
 end module furiko_nome
-! rooms: 1397608292
+! rooms: 1410704603

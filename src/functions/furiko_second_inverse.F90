@@ -59,4 +59,4 @@ module furiko_second_inverse
    implicit none
    public
 end module furiko_second_inverse
-! rooms: 2614545330
+! rooms: 2197212548

@@ -56,4 +56,4 @@ contains
    include 'furiko_rc_wide_qp.inc'
 end module furiko_carlson_plain_qp
 #endif
-! rooms: 3586750795
+! rooms: 3480292787

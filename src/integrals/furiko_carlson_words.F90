@@ -42,4 +42,4 @@ module furiko_carlson_words_qp
    include 'furiko_carlson_words.inc'
 end module furiko_carlson_words_qp
 #endif
-! rooms: 4171520793
+! rooms: 467008713

@@ -105,4 +105,4 @@ module furiko_complete
    implicit none
    public
 end module furiko_complete
-! rooms: 1825782087
+! rooms: 2471630999

@@ -48,4 +48,4 @@ module furiko_ellipj
    implicit none
    public
 end module furiko_ellipj
-! rooms: 2545735821
+! rooms: 4290998424

@@ -57,4 +57,4 @@ module furiko_ellips
    implicit none
    public
 end module furiko_ellips
-! rooms: 2549748307
+! rooms: 261337193

@@ -48,4 +48,4 @@ module furiko_incomplete
    implicit none
    public
 end module furiko_incomplete
-! rooms: 2571437180
+! rooms: 3255315519

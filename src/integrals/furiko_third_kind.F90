@@ -48,4 +48,4 @@ module furiko_third_kind
    implicit none
    public
 end module furiko_third_kind
-! rooms: 1224262741
+! rooms: 83273896

@@ -7,7 +7,9 @@ module furiko_pendulum_steps_sp
    implicit none
    private
    include 'furiko_pendulum_pi_sp.inc'
-   ! Pendulums side by side, and steps from one look at them to the next
+   ! Pendulums side by side, a few vectors of them (from 32 to 512 the time was the same but for noise); and
+   ! steps from one look at them to the next, which is how many roundings of a sine turned along pile up. A
+   ! look costs less than 1 % at 16 steps already
    integer, parameter :: block = 128, stretch = 64
    ! Angles up to here are reduced exactly
    real(wp), parameter :: far = 2.0_wp**8
@@ -26,7 +28,7 @@ module furiko_pendulum_steps_dp
    implicit none
    private
    include 'furiko_pendulum_pi_dp.inc'
-   ! Pendulums side by side, and steps from one look at them to the next
+   ! As in real32
    integer, parameter :: block = 64, stretch = 64
    ! Angles up to here are reduced exactly
    real(wp), parameter :: far = 2.0_wp**20

@@ -56,17 +56,14 @@ end module furiko_motion_qp
 
 
 !> A type has no kind in Fortran 2008: `pendulum` and `motion` are real64's.
+! allow(C121)
 module furiko_motion
-   use furiko_motion_sp, only : pendulum_real32 => pendulum, motion_real32 => motion
-   use furiko_motion_dp, only : pendulum, motion
+   use furiko_motion_sp, pendulum_real32 => pendulum, motion_real32 => motion
+   use furiko_motion_dp
 #ifdef FURIKO_REAL128
-   use furiko_motion_qp, only : pendulum_real128 => pendulum, motion_real128 => motion
+   use furiko_motion_qp, pendulum_real128 => pendulum, motion_real128 => motion
 #endif
    implicit none
-   private
-   public :: pendulum, motion, pendulum_real32, motion_real32
-#ifdef FURIKO_REAL128
-   public :: pendulum_real128, motion_real128
-#endif
+   public
 end module furiko_motion
-! rooms: 2024355108
+! rooms: 3647892688

@@ -57,4 +57,4 @@ module furiko_period
    implicit none
    public
 end module furiko_period
-! rooms: 3533062193
+! rooms: 1590140926

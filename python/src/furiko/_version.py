@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+# Written by tools/make_python.py.
+__version__ = "0.3.0"
