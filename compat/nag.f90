@@ -4,9 +4,9 @@
 ! (R_C), S21BBF (R_F), S21BCF (R_D), S21BDF (R_J), S21BEF to S21BGF (F, E, Pi of phi and m; n in DLMF's
 ! sign), S21BHF, S21BJF (K, E of m), S21CAF (sn, cn, dn of u and m). DOUBLE PRECISION.
 !
-! IFAIL as there: on entry 0 stops at an error, -1 writes a line to standard error and goes on, 1 goes on
-! silently; on exit 0, or the number of the error, as the documentation of each routine lists them (Mark
-! 24 to 30). The value is then 0, or at a pole the largest number, as there.
+! IFAIL as there: on entry 0 stops at an error, -1 writes a line to standard error and goes on, 1 goes
+! on silently; on exit 0, or which constraint of the routine is broken, numbered as in its documentation
+! (Mark 24 to 30). The value is then 0, or at a pole the largest number.
 !
 ! Otherwise than there: no X04AAF, P01ABF; IFAIL = 3 and 4 of S21BCF and S21BDF and both of S21CAF warn of
 ! what overflows or underflows there; here it comes out as infinity, as 0 or right, so IFAIL is then 0.

@@ -11,7 +11,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).parent.parent
 TOPICS = {"checking": "Before you begin", "integrals": "Elliptic integrals", "functions": "Elliptic functions",
-          "pendulum": "The pendulum", "physics": "Elsewhere in physics", "integrators": "Integrators",
+          "pendulum": "The pendulum", "physics": "Elsewhere in physics", "integrators": "Integrators", "driven": "Driven pendulums",
           "notes": "The methods of the lecture notes"}
 HEAD = """# Examples
 

@@ -56,8 +56,11 @@ class Book:
             if not text:
                 self.lacking.append(f"{page}: {part}")
             yield f"\n## {part}\n\n{text}"
-        for picture, caption in family.get("figure", []):
-            yield f"\n## Picture\n\n![{caption}](../doc/figures/{picture})\n\n{caption}"
+        if "figure" in family:
+            yield "\n## Pictures"
+        for picture in family.get("figure", []):
+            caption = of.captions()[picture]
+            yield f"\n![{caption}](../doc/figures/{picture})\n\n{caption}. [How it is made](../doc/gallery.md)"
         yield from details(self, family)
 
 
@@ -147,16 +150,18 @@ def signatures(book, page, family):
     use = textwrap.wrap(f"use furiko, only : {uses}", 96, subsequent_indent="   ", break_long_words=False)
     yield from code("fortran", [*(line + " &" for line in use[:-1]), use[-1], "", *fortran_lines(page, family)])
     yield ""
-    kinds = "real32, real64 or real128"
+    kinds = family.get("kinds", "real32, real64 or real128")
     elemental = [name for name in family["members"] if any(of.dummies(body)[1] for body in of.specifics(name))]
     if elemental:
-        yield (f"All numbers are of one kind: {kinds}. The functions are elemental: they take arrays of any shape."
+        who = "The functions" if all(name in elemental for name in family["members"] if of.specifics(name)) else \
+            ", ".join(f"`{name}`" for name in elemental)
+        yield (f"All numbers are of one kind: {kinds}. {who} {'are' if ' ' in who else 'is'} elemental: arrays of any shape do."
                + (" Arrays of rank 1 go to a vectorised kernel of their own." if of.takes_arrays(elemental[0]) else ""))
     elif page in ("pendulum", "modulus", "motion"):
         yield (f"`{page}` is of real64; `{page}_real32` and `{page}_real128` are its sisters with the same functions. "
                "Times and arguments may be one number or an array of rank 1 where the function says so below.")
     elif page != "furiko_selftest":
-        yield f"All numbers are of one kind: {kinds}."
+        yield f"All numbers are of one kind: {kinds}." if "kinds" not in family else f"All numbers are of {kinds}."
     yield ""
     yield from other_languages(page, family)
 
@@ -215,7 +220,8 @@ def arguments(book, page, family):
                 if form and dummy == form[2]:
                     meaning = FORM_WORDS[dummy]
                 elif len(meaning.split()) < 2:
-                    meaning = MEANINGS.get(dummy) or MORE_MEANINGS.get(dummy) or meaning or dummy
+                    known = {**MORE_MEANINGS, **MEANINGS} if declared.startswith("real") else {}
+                    meaning = known.get(dummy) or meaning or dummy
                 unit = UNITS.get(dummy, "1" if declared.startswith("real") else "")
                 given = "any shape (elemental)" if of.dummies(body)[1] else \
                     ("rank " + str(shape.count(":")) if ":" in shape else "scalar")
@@ -230,6 +236,13 @@ def arguments(book, page, family):
                          [[f"`{name}({', '.join(arguments)})`", linked(book, " ".join(doc).replace("$$", ""))]
                           for name, arguments, doc, _ in of.bindings(page)])
         yield ""
+    for name in family["members"]:
+        rows = list(of.components(name))
+        if rows:
+            yield f"Components of `type({name})`:\n"
+            yield from table(["component", "what", "type"], [[f"`{component}`", linked(book, doc), f"`{declared}`"]
+                                                             for component, declared, doc in rows])
+            yield ""
     first = family["members"][0]
     found = [family["range"]] if "range" in family else \
         [text for pattern, text in of.ranges().items() if fnmatch.fnmatchcase(first, pattern)]

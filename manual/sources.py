@@ -60,7 +60,7 @@ def docstrings():
     for module in modules():
         lines = module_lines(module)
         for number, line in enumerate(lines):
-            opened = re.match(r"   (?:interface|type ::|pure function) (\w+)", line)
+            opened = re.match(r"   (?:interface|type ::|(?:(?:pure|elemental) )*(?:function|subroutine)) (\w+)", line)
             doc = doc_above(lines, number)
             if opened and doc:
                 found.setdefault(opened[1], doc)
@@ -84,7 +84,7 @@ def dummies(body):
     for number, line in enumerate(body[1:], 1):
         if line.strip().startswith(("end ", "call ", "if ", "do ")):
             break
-        declared = re.match(r"\s*((?:real|integer|type|class|procedure|complex)\(?.*?) :: (.*)", line)
+        declared = re.match(r"\s*((?:real|integer|logical|type|class|procedure|complex)\(?.*?) :: (.*)", line)
         for name in re.split(r", (?![^(]*\))", declared[2]) if declared else ():
             plain = re.match(r"\w+", name)[0]
             if plain in names:
@@ -97,7 +97,8 @@ def specifics(name):
     if public_names()[name] not in modules() or name == "furiko_selftest":
         return []
     lines = module_lines(public_names()[name])
-    bodies = (make_catalogue.specific_lines(specific, lines) for specific in make_catalogue.specifics(name, lines))
+    procedures = make_catalogue.specifics(name, lines) or [name]
+    bodies = (make_catalogue.specific_lines(procedure, lines) for procedure in procedures)
     return [body for body in bodies if body]
 
 
@@ -119,6 +120,19 @@ def bindings(type_name):
                      and match[2] == (found[2] or found[1]))
         arguments = [name for name, *_ in dummies(lines[place:])[0] if name != "self"]
         yield found[1], arguments, doc or doc_above(lines, place), "subroutine" in lines[place].split("(")[0]
+
+
+def components(type_name):
+    """(name, type, docstring) of the public components of a type"""
+    lines = module_lines(public_names()[type_name]) if public_names()[type_name] in modules() else []
+    if f"   type :: {type_name}" not in lines:
+        return
+    for number in range(lines.index(f"   type :: {type_name}") + 1, len(lines)):
+        if lines[number].strip() in ("private", "contains") or lines[number].startswith("   end type"):
+            return
+        declared = re.match(r"      (\w.*) :: (.*)", lines[number])
+        if declared:
+            yield declared[2], declared[1], " ".join(doc_above(lines, number))
 
 
 @functools.cache
@@ -222,6 +236,13 @@ def speed():
             name = cells[1] if lines[0][0] == "to" and len(cells) == 4 else cells[0]
             found.setdefault(name, []).append((lines[0], cells))
     return found
+
+
+@functools.cache
+def captions():
+    """{picture: what it shows}, of the gallery"""
+    found = re.findall(r"^!\[(.*)\]\(figures/(.*)\)$", (ROOT / "doc/gallery.md").read_text(), re.M)
+    return {picture: caption for caption, picture in found}
 
 
 @functools.cache

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> The tables of doc/steps.md: how many steps a period an integrator takes for so many digits of angle and rate, and what
-!> becomes of the energy. `python3 manual/steps.py FOLDER` compiles it and puts them there.
+!> The tables of doc/steps.md: how many steps a period an integrator takes for so many digits of angle and
+!> rate, and what becomes of the energy. `python3 manual/steps.py FOLDER` compiles it and puts them there.
 program steps
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : pendulum_forest_ruth, pendulum_rk4, pendulum_verlet, period_ratio
@@ -12,16 +12,19 @@ program steps
    integer, parameter :: most = 10000000
    integer :: method, digits, periods, i
 
-   print '(a)', '| periods | amplitude | method | 6 digits | 9 digits | 12 digits |', '|---|---|---|---|---|---|'
+   print '(a)', '| periods | amplitude | method | 6 digits | 9 digits | 12 digits |', &
+      '|---|---|---|---|---|---|'
    do periods = 1, 100, 99
       do i = 1, size(amplitudes)
          do method = 1, size(methods)
-            print '(a, i0, a, f3.1, 20a)', '| ', periods, ' | ', amplitudes(i), ' rad | ', trim(methods(method)), &
-               (' | ' // trim(least(method, amplitudes(i), periods, 0.5_wp*0.1_wp**digits)), digits=6, 12, 3), ' |'
+            print '(a, i0, a, f3.1, 20a)', '| ', periods, ' | ', amplitudes(i), ' rad | ', &
+               trim(methods(method)), (' | ' // trim(least(method, amplitudes(i), periods, &
+               0.5_wp*0.1_wp**digits)), digits=6, 12, 3), ' |'
          end do
       end do
    end do
-   print '(a)', '', '| amplitude | method | after 10 periods | after 1,000 | after 100,000 |', '|---|---|---|---|---|'
+   print '(a)', '', '| amplitude | method | after 10 periods | after 1,000 | after 100,000 |', &
+      '|---|---|---|---|---|'
    do i = 1, size(amplitudes)
       do method = 1, size(methods)
          print '(a, f3.1, 20a)', '| ', amplitudes(i), ' rad | ', trim(methods(method)), &
@@ -50,7 +53,8 @@ contains
    end subroutine swing
 
 
-   !> Whether angle and rate, over their largest, are within the tolerance of where the exact pendulum is: at the start
+   !> Whether angle and rate, over their largest, are within the tolerance of where the exact pendulum is,
+   !> at the start
    pure logical function is_good(method, amplitude, n, periods, tolerance)
       integer, intent(in) :: method, n, periods
       real(wp), intent(in) :: amplitude, tolerance
@@ -96,7 +100,8 @@ contains
    end function least
 
 
-   !> The largest change of the energy, over its size from the bottom, in the period after so many, by 100 steps a period
+   !> The largest change of the energy, over its size from the bottom, in the period after so many, by 100
+   !> steps a period
    pure function drift(method, amplitude, level) result(text)
       integer, intent(in) :: method, level
       real(wp), intent(in) :: amplitude

@@ -11,8 +11,8 @@
 !> - Complete integrals K, E, B, D, S: `print *, ellipk_m(0.25d0), ellipe_k(0.5)`, K and E at once
 !>   `call ellipke_mc(mc, k, e)`; see [[ellipk_k]], [[ellipe_k]], [[ellipb_k]], [[ellipd_k]], [[ellips_k]].
 !> - Incomplete integrals F, E, D: `ellipf_m(phi, m)`; see [[ellipf_k]], [[ellipeinc_k]], [[ellipdinc_k]].
-!> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]]; J = (Pi -
-!>   K)/n: `ellipj_m(n, m)`, `ellipjinc_m(n, phi, m)`; see [[ellipj_k]], [[ellipjinc_k]].
+!> - The third kind: `ellippi_m(n, m)`, `ellippiinc_m(n, phi, m)`, and J = (Pi - K)/n, `ellipj_m(n, m)`,
+!>   `ellipjinc_m(n, phi, m)`; see [[ellippi_k]], [[ellippiinc_k]], [[ellipj_k]], [[ellipjinc_k]].
 !> - Bulirsch's `bulirsch_cel(kc, p, a, b)`, of which all complete integrals are cases; see [[bulirsch_cel]].
 !> - Carlson's forms: `carlson_rf(x, y, z)`; see [[carlson_rf]] and its sisters.
 !> - Jacobi elliptic functions: `call jacobi_m(u, m, sn, cn, dn)`, `jacobi_sn_k(u, k)` and its eleven

@@ -352,9 +352,12 @@ def run(program, case, place, spool):
 def output_of(words):
     """The file that a command line names as its output, none for standard output"""
     name = b""
-    for word, value in zip(words, [*words[1:], b""]):
+    values = iter(words)
+    for word in values:
         if word in OUTPUTS:
-            name = value
+            name = next(values, b"")
+        elif word == b"--title":
+            next(values, b"")
         elif word.split(b"=", 1)[0] in OUTPUTS[1:]:
             name = word.split(b"=", 1)[1]
     return b"" if name == b"-" else name
@@ -373,8 +376,10 @@ def judge(case, code, out, said, place, interface):
             broken.append(name)
 
     output = output_of(case.words)
-    asked = [place.absolute(output)] if output else []
-    beside = [os.path.splitext(path)[0] + ending for path in asked for ending in (b".csv", b".gp")
+    named = [place.absolute(output)] if output else []
+    # Where a link leads
+    asked = [os.path.realpath(path) for path in named]
+    beside = [os.path.splitext(path)[0] + ending for path in named for ending in (b".csv", b".gp")
               if b"--data" in case.words or code == 3]
     new = place.changed()
     files = {path for path in new if place.before.get(path, 0) != ()}

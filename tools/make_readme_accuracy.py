@@ -17,6 +17,8 @@ ROOT = pathlib.Path(__file__).parent.parent
 ROWS = [
     ("K, E", "ellipk ellipe", False),
     ("B, D", "ellipb ellipd", False),
+    ("S; Bulirsch's cel", "ellips bulirsch_cel", False),
+    ("J, complete and incomplete", "ellipj", False),
     ("F, E(φ), D(φ); Π, complete and incomplete", "ellipf ellipeinc ellipdinc ellippi ellippiinc", False),
     ("the same in arrays", "ellipf ellipeinc ellipdinc ellippi ellippiinc", True),
     ("the inverse of E(φ), in ulp of φ or half ulp of s", "ellipeinc_inverse", False),

@@ -9,8 +9,9 @@ const formulas = (() => {
    const root = (...parts) => `<msqrt>${parts.join("")}</msqrt>`;
    const power = (base, above) => `<msup>${base}${above}</msup>`;
    const index = (base, below) => `<msub>${base}${below}</msub>`;
-   const call = (name, ...parts) => row(word(name), sign("(").replace("<mo", '<mo stretchy="false"'), ...parts,
-      sign(")").replace("<mo", '<mo stretchy="false"'));
+   const thin = '<mspace width="0.17em"></mspace>';
+   const [open, close] = ["(", ")"].map((mark) => `<mo stretchy="false">${mark}</mo>`);
+   const call = (name, ...parts) => row(word(name), open, ...parts, close);
 
    const theta = word("θ");
    const theta0 = index(theta, number(0));
@@ -27,15 +28,15 @@ const formulas = (() => {
          over(row(number(9), power(modulus, number(4))), number(64)), sign("+"), sign("⋯")),
       [row(call("K", modulus), equals, "<msubsup><mo>∫</mo><mn>0</mn><mrow><mi>π</mi><mo>/</mo><mn>2</mn></mrow></msubsup>",
          over(row(word("d"), word("t")), root(number(1), sign("−"), power(modulus, number(2)),
-            power(word("sin"), number(2)), word("t")))),
+            power(word("sin"), number(2)), thin, word("t")))),
          row(equals, over(word("π"), row(number(2), call("AGM", number(1), sign(","),
             root(number(1), sign("−"), power(modulus, number(2)))))))],
       row(over(word("T"), harmonic), sign("≈"), over(number(2), word("π")), word("ln"),
-         over(number(4), row(word("cos"), sign("("), theta0, sign("/"), number(2), sign(")")))),
+         over(number(4), row(word("cos"), open, theta0, sign("/"), number(2), close))),
       row(over(number(1), number(2)), power(theta, sign("′")), power("<mrow></mrow>", number(2)), sign("−"),
-         power(omega, number(2)), word("cos"), theta, equals, word("E")),
-      row(call("θ", word("t")), equals, number(2), word("arcsin"), sign("("), modulus, call("sn", omega, word("t"),
-         sign(","), modulus), sign(")")),
+         power(omega, number(2)), thin, word("cos"), thin, theta, equals, word("E")),
+      row(call("θ", word("t")), equals, number(2), thin, word("arcsin"), open, modulus, thin, call("sn", omega, word("t"),
+         sign(","), modulus), close),
    ];
 })();
 

@@ -1,9 +1,12 @@
 ! SPDX-License-Identifier: MIT
 
-!> Two equal pendulums, one below the other, let go level: angles after 1 s, and whether the energy is still 0.
+!> Two equal pendulums, one below the other, let go level: angles after 1 s, and whether the energy
+!> is still 0.
 module double_pendulum_system
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
+   private
+   public :: double_rates, wp
 contains
    ! y: both angles, then both rates; lengths are 1 m, the parameter is the gravity
    subroutine double_rates(t, y, parameters, rate)

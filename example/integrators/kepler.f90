@@ -4,6 +4,8 @@
 module kepler_force
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
+   private
+   public :: gravity, wp
 contains
    subroutine gravity(x, parameters, a)
       real(wp), intent(in) :: x(:), parameters(:)

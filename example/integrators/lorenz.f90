@@ -4,6 +4,8 @@
 module lorenz_system
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
+   private
+   public :: lorenz_rates, wp
 contains
    subroutine lorenz_rates(t, y, parameters, rate)
       real(wp), intent(in) :: t, y(:), parameters(:)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
 !> The field of a loop of radius 1, over mu0 I, radial and axial: next to the axis, inside, and so far away
-!> that it is a dipole's. By K and E the radial part has no digit right at the first point, five at the last.
+!> that it is a dipole's. By K and E the radial part has no digit right at the first point, four at the last.
 program current_loop
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : ellipd_m, ellipe_m, ellips_m

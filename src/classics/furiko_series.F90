@@ -4,6 +4,7 @@
 module furiko_series_sp
    use furiko_bits_sp, only : infinity, is_nan, nan
    use furiko_fold_sp, only : quadrant_of
+   use furiko_forms, only : by_k, by_m
    use furiko_word_arithmetic_sp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real32
    implicit none
@@ -15,6 +16,7 @@ end module furiko_series_sp
 module furiko_series_dp
    use furiko_bits_dp, only : infinity, is_nan, nan
    use furiko_fold_dp, only : quadrant_of
+   use furiko_forms, only : by_k, by_m
    use furiko_word_arithmetic_dp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real64
    implicit none
@@ -27,6 +29,7 @@ end module furiko_series_dp
 module furiko_series_qp
    use furiko_bits_qp, only : infinity, is_nan, nan
    use furiko_fold_qp, only : quadrant_of
+   use furiko_forms, only : by_k, by_m
    use furiko_word_arithmetic_qp, only : words, value, pi_words, operator(+), operator(*), operator(/)
    use, intrinsic :: iso_fortran_env, only : wp => real128
    implicit none
@@ -47,4 +50,4 @@ module furiko_series
    implicit none
    public
 end module furiko_series
-! rooms: 3607591966
+! rooms: 1633365130

@@ -69,4 +69,4 @@ module furiko_jacobi
    public
    private :: amplitude, evaluate, split_amplitude
 end module furiko_jacobi
-! rooms: 1137441329
+! rooms: 3215874652

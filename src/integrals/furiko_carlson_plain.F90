@@ -56,4 +56,4 @@ contains
    include 'furiko_rc_wide_qp.inc'
 end module furiko_carlson_plain_qp
 #endif
-! rooms: 1390093391
+! rooms: 3480292787

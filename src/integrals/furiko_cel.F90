@@ -53,4 +53,4 @@ module furiko_cel
    implicit none
    public
 end module furiko_cel
-! rooms: 1566101291
+! rooms: 1835724257

@@ -35,4 +35,4 @@ module furiko_duplication_qp
    include 'furiko_duplication.inc'
 end module furiko_duplication_qp
 #endif
-! rooms: 1341111497
+! rooms: 1180575663

@@ -24,4 +24,4 @@ module furiko_duplication_plain_dp
    include '../arithmetic/furiko_head.inc'
    include 'furiko_rc_series_dp.inc'
 end module furiko_duplication_plain_dp
-! rooms: 4269977845
+! rooms: 27221617

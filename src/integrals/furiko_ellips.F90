@@ -57,4 +57,4 @@ module furiko_ellips
    implicit none
    public
 end module furiko_ellips
-! rooms: 421873027
+! rooms: 261337193

@@ -37,4 +37,4 @@ module furiko_fold_qp
    include 'furiko_fold.inc'
 end module furiko_fold_qp
 #endif
-! rooms: 68050654
+! rooms: 783469094

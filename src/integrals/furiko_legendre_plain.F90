@@ -39,4 +39,4 @@ module furiko_legendre_plain_dp
    include '../arithmetic/furiko_oddness.inc'
    include '../arithmetic/furiko_quarter_sine_dp.inc'
 end module furiko_legendre_plain_dp
-! rooms: 450307378
+! rooms: 2521457952

@@ -35,8 +35,8 @@ TOPICS = (reference_integrals.TOPICS | reference_jacobi.TOPICS | reference_motio
           | reference_classics.TOPICS)
 POINTS = {"real32": 400, "real64": 2000, "real128": 400}  # at least, in each regime of a function
 # Of these, a form's share where it is not one over the number of forms.
-SHARES = ({"carlson": 1, "agm": 16, "cel": 4} | reference_jacobi.SHARES | reference_motion.SHARES
-          | reference_classics.SHARES)
+SHARES = ({"carlson": 1, "agm": 16, "ellips": 6, "ellipj": 9, "ellipj_incomplete": 9, "cel": 4}
+          | reference_jacobi.SHARES | reference_motion.SHARES | reference_classics.SHARES)
 KEPT = 140  # bits of a value, 42 digits
 mp.mp.dps = 150
 
