@@ -229,12 +229,12 @@ contains
       type(question), intent(in) :: asked
       type(column), intent(in) :: others(:)
       type(column), allocatable :: columns(:)
+      integer :: first
 
-      if (asked%vary == 0) then
-         columns = others
-      else
-         columns = [column(constants(asked%vary), places, 9, 15), others]
-      end if
+      first = merge(2, 1, asked%vary > 0)
+      allocate(columns(first - 1 + size(others)))
+      if (asked%vary > 0) columns(1) = column(constants(asked%vary), places, 9, 15)
+      columns(first:) = others
    end function with_value
 
 
