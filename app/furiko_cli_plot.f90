@@ -38,6 +38,9 @@ module furiko_cli_plot
    end type entry
 
 
+   integer, parameter :: how_many = 15
+
+
    abstract interface
       !> Curves and commands of a figure, on the paper that it brings
       subroutine maker(amplitudes, self)
@@ -54,7 +57,7 @@ contains
 
 
    function all_figures() result(list)
-      type(entry) :: list(15)
+      type(entry) :: list(how_many)
 
       list = [ &
          entry('phase', 'phase portrait: librations, the separatrix, rotations', '30,60,90,120,150', 12, &
@@ -184,7 +187,7 @@ contains
    function find(name) result(chosen)
       character(len=*), intent(in) :: name
       type(entry) :: chosen
-      type(entry), allocatable :: figures(:)
+      type(entry) :: figures(how_many)
       integer :: i
 
       figures = all_figures()
@@ -200,7 +203,7 @@ contains
 
 
    subroutine print_list()
-      type(entry), allocatable :: figures(:)
+      type(entry) :: figures(how_many)
       integer :: i
 
       figures = all_figures()

@@ -7,10 +7,12 @@
 !> notes, and is closed (`plot`), when every label finds a place beside its curve that nothing crosses.
 module furiko_figure
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_cli_text, only : replaced, whole_text
+   use furiko_cli_text, only : replaced
+   use furiko_figure_places, only : best_place, box, centred, dense, gap, stroke, width_of
+   use furiko_figure_text, only : fixed, plain, ramp, significant, to_text
    implicit none
    private
-   public :: figure, amplitude, column, paper, black, blue, orange, green, purple, solid, dotted
+   public :: figure, amplitude, column, paper, black, blue, orange, green, purple, solid
    public :: broken, fixed, line_break, significant, plain, ramp, to_text
 
 
@@ -23,13 +25,9 @@ module furiko_figure
       '"#00795A"', '"#8F3F83"']
    character(len=*), parameter :: dashes(*) = [character(len=17) :: '', ' dt (9, 3)', ' dt (4, 3)', &
       ' dt (9, 3, 2, 3)', ' dt (2, 2)']
-   !> Dashes other than a pen's own, by the pen they belong to
-   integer, parameter :: solid = 1, dotted = 5
+   !> A dash other than a pen's own is told by the pen it belongs to.
+   integer, parameter :: solid = black
 
-   !> Of a label, in pixels: its height, a letter's width (that of a wide face), its distance from the curve
-   real(wp), parameter :: height_of_text = 17.0_wp, width_of_letter = 8.2_wp, gap = 5.0_wp
-   !> A label that other curves are this far from needs no better place.
-   real(wp), parameter :: room = 14.0_wp
 
 
    !> An amplitude of the command line
@@ -61,27 +59,6 @@ module furiko_figure
       !> A row for each point, as many columns as the figure has
       real(wp), allocatable :: points(:, :)
    end type curve
-
-
-   !> A curve, or points, as this panel draws it
-   type :: stroke
-      integer :: which = 0
-      integer :: pen = black
-      character(len=:), allocatable :: label
-      integer :: side = 0
-      !> Its points in pixels, close to each other
-      real(wp), allocatable :: x(:)
-      real(wp), allocatable :: y(:)
-   end type stroke
-
-
-   !> Sides of a rectangle, in pixels from the upper left corner of the paper
-   type :: box
-      real(wp) :: left = 0.0_wp
-      real(wp) :: right = 0.0_wp
-      real(wp) :: top = 0.0_wp
-      real(wp) :: bottom = 0.0_wp
-   end type box
 
 
    type :: figure
@@ -119,13 +96,6 @@ module furiko_figure
    end type figure
 
 
-   !> A number as gnuplot reads it
-   interface to_text
-      module procedure :: integer_to_text
-      module procedure :: real_to_text
-   end interface to_text
-
-
 contains
 
 
@@ -154,24 +124,14 @@ contains
       integer, intent(in), optional :: cell(4)
       !> Pixels kept free on the right
       integer, intent(in), optional :: margin
-      real(wp) :: head, height, width
-      integer :: place(4)
 
-      place = [1, 1, 1, 1]
-      if (present(cell)) place = cell
       self%x_range = x_range
       self%y_range = y_range
       self%log_x = .false.
       self%log_y = .false.
       if (present(log)) self%log_x = index(log, 'x') > 0
       if (present(log)) self%log_y = index(log, 'y') > 0
-      head = merge(36.0_wp, 2.0_wp, self%sheet%has_title)
-      width = (self%sheet%width - 4.0_wp)/place(2)
-      height = (self%sheet%height - head - 32.0_wp)/place(4)
-      self%frame = box((place(1) - 1)*width + merge(84.0_wp, 60.0_wp, y_label /= ''), &
-         place(1)*width - 18.0_wp, &
-         head + (place(3) - 1)*height + merge(30.0_wp, 14.0_wp, present(cell)), &
-         head + place(3)*height - 30.0_wp)
+      self%frame = frame_of(self%sheet, y_label /= '', cell)
       if (present(margin)) self%frame%right = self%frame%right - margin
       self%drawn = ''
       if (allocated(self%strokes)) deallocate(self%strokes, self%taken)
@@ -193,6 +153,28 @@ contains
       call put_text(self, y_label, box(self%frame%left - 70, self%frame%left - 70, self%frame%top, &
          self%frame%bottom), ' center rotate by 90')
    end subroutine panel
+
+
+   !> The axes' rectangle, with room around it for their numbers and labels and for what stands above
+   pure function frame_of(sheet, has_y_label, cell) result(frame)
+      type(paper), intent(in) :: sheet
+      logical, intent(in) :: has_y_label
+      !> As of [[panel]]; without it there is no caption
+      integer, intent(in), optional :: cell(4)
+      type(box) :: frame
+      real(wp) :: head, height, width
+      integer :: place(4)
+
+      place = 1
+      if (present(cell)) place = cell
+      head = merge(36.0_wp, 2.0_wp, sheet%has_title)
+      width = (sheet%width - 4.0_wp)/place(2)
+      height = (sheet%height - head - 32.0_wp)/place(4)
+      frame%left = (place(1) - 1)*width + merge(84.0_wp, 60.0_wp, has_y_label)
+      frame%right = place(1)*width - 18.0_wp
+      frame%top = head + (place(3) - 1)*height + merge(30.0_wp, 14.0_wp, present(cell))
+      frame%bottom = head + place(3)*height - 30.0_wp
+   end function frame_of
 
 
    !> Add a curve: its points, or, in a figure of more than two columns, rows of numbers; all finite but for
@@ -332,36 +314,6 @@ contains
    end subroutine space
 
 
-   !> Points in pixels, with others between those of a line that are far apart
-   pure subroutine dense(x, y, is_line, this)
-      real(wp), intent(in) :: x(:)
-      real(wp), intent(in) :: y(:)
-      logical, intent(in) :: is_line
-      type(stroke), intent(inout) :: this
-      real(wp), parameter :: far = 6.0_wp, out = 1e4_wp
-      integer :: i, j, n, total
-      integer :: pieces(size(x))
-
-      pieces = 1
-      if (is_line) then
-         do i = 1, size(x) - 1
-            if (hypot(x(i + 1) - x(i), y(i + 1) - y(i)) < out) pieces(i) = &
-               1 + int(hypot(x(i + 1) - x(i), y(i + 1) - y(i))/far)
-         end do
-      end if
-      total = sum(pieces)
-      allocate(this%x(total), this%y(total))
-      n = 0
-      do i = 1, size(x)
-         do j = 0, pieces(i) - 1
-            n = n + 1
-            this%x(n) = x(i) + (x(min(i + 1, size(x))) - x(i))*j/pieces(i)
-            this%y(n) = y(i) + (y(min(i + 1, size(x))) - y(i))*j/pieces(i)
-         end do
-      end do
-   end subroutine dense
-
-
    !> A line above the panel
    subroutine caption(self, text)
       class(figure), intent(inout) :: self
@@ -421,122 +373,13 @@ contains
       integer :: i
 
       do i = 1, size(self%strokes)
-         if (self%strokes(i)%label == '') cycle
-         call self%put_label(self%strokes(i)%label, best_place(self, i), self%strokes(i)%pen)
+         associate (this => self%strokes(i))
+            if (this%label /= '') call self%put_label(this%label, best_place(self%strokes, self%taken, &
+               self%frame, i), this%pen)
+         end associate
       end do
       call self%say('plot ' // self%drawn)
    end subroutine plot
-
-
-   !> The place beside a curve, within the frame, that other curves and labels are farthest from
-   pure function best_place(self, which) result(best)
-      class(figure), intent(in) :: self
-      integer, intent(in) :: which
-      type(box) :: best
-      type(box) :: place
-      real(wp) :: highest, score, width
-      integer :: i, side
-
-      associate (own => self%strokes(which))
-         width = width_of(own%label)
-         best = centred((self%frame%left + self%frame%right)/2, self%frame%top + height_of_text, width)
-         highest = -huge(highest)
-         do i = 1, size(own%x), max(1, size(own%x)/150)
-            do side = 1, 40
-               place = beside(own%x(i), own%y(i), side, width)
-               if (.not. is_within(place, self%frame)) cycle
-               score = clearance(self, place, which)
-               if (own%side > 0 .and. modulo(side, 8) /= modulo(own%side, 8)) score = score - room
-               ! Of places as good as each other the first, on every machine
-               if (score <= highest + 0.01_wp) cycle
-               highest = score
-               best = place
-            end do
-         end do
-      end associate
-   end function best_place
-
-
-   !> How good a place is for a label: how far all is that is not its curve, less how far that is; much less
-   !> if it lies on something, or nearer to another curve.
-   pure function clearance(self, place, which) result(score)
-      class(figure), intent(in) :: self
-      type(box), intent(in) :: place
-      integer, intent(in) :: which
-      real(wp) :: score
-      real(wp), parameter :: touching = 2.5_wp
-      real(wp) :: nearest, others
-      integer :: crossed, i
-
-      crossed = 0
-      others = huge(others)
-      nearest = others
-      do i = 1, size(self%taken)
-         others = min(others, max(self%taken(i)%left - place%right, place%left - self%taken(i)%right, &
-            self%taken(i)%top - place%bottom, place%top - self%taken(i)%bottom))
-         if (others < touching) crossed = 20
-      end do
-      do i = 1, size(self%strokes)
-         associate (distance => sqrt(apart(place, self%strokes(i)%x, self%strokes(i)%y)))
-            if (i == which) nearest = minval(distance)
-            if (i /= which) others = min(others, minval(distance))
-            crossed = crossed + count(distance < touching)
-         end associate
-      end do
-      score = min(others, room) - nearest/2 - room*crossed
-      if (others <= nearest) score = score - room
-   end function clearance
-
-
-   !> The square of a point's distance from a rectangle
-   elemental function apart(place, x, y)
-      type(box), intent(in) :: place
-      real(wp), intent(in) :: x
-      real(wp), intent(in) :: y
-      real(wp) :: apart
-
-      apart = max(place%left - x, 0.0_wp, x - place%right)**2 + max(place%top - y, 0.0_wp, &
-         y - place%bottom)**2
-   end function apart
-
-
-   !> A label's rectangle in one of eight directions from a point, in one of five distances
-   pure function beside(x, y, side, width) result(place)
-      real(wp), intent(in) :: x
-      real(wp), intent(in) :: y
-      !> From 1 to 40: above, below, left, right, and the corners, near ones first
-      integer, intent(in) :: side
-      real(wp), intent(in) :: width
-      type(box) :: place
-      integer, parameter :: right(8) = [0, 0, -1, 1, -1, 1, -1, 1], below(8) = [-1, 1, 0, 0, -1, -1, 1, 1]
-      real(wp) :: distance
-      integer :: way
-
-      way = modulo(side - 1, 8) + 1
-      distance = gap*(1 + (side - 1)/8)
-      place = centred(x + right(way)*(distance + width/2), &
-         y + below(way)*(distance + height_of_text/2), width)
-   end function beside
-
-
-   pure function centred(x, y, width) result(place)
-      real(wp), intent(in) :: x
-      real(wp), intent(in) :: y
-      real(wp), intent(in) :: width
-      type(box) :: place
-
-      place = box(x - width/2, x + width/2, y - height_of_text/2, y + height_of_text/2)
-   end function centred
-
-
-   pure function is_within(inner, outer)
-      type(box), intent(in) :: inner
-      type(box), intent(in) :: outer
-      logical :: is_within
-
-      is_within = inner%left > outer%left + gap .and. inner%right <= outer%right .and. &
-         inner%top >= outer%top .and. inner%bottom < outer%bottom - gap
-   end function is_within
 
 
    !> Write a label into a rectangle, which is taken then.
@@ -681,92 +524,5 @@ contains
       end do
       line = [line, values(first:)]
    end function broken
-
-
-   !> A label as text: without the marks of slanted, raised and lowered letters
-   pure function plain(text) result(letters)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: letters
-      integer :: i
-
-      letters = ''
-      do i = 1, len(text)
-         if (scan(text(i:i), '<>{}_^') == 0) letters = letters // text(i:i)
-      end do
-   end function plain
-
-
-   !> A label's width in pixels: of UTF-8, what is not the first byte of a letter does not count
-   pure function width_of(label) result(width)
-      character(len=*), intent(in) :: label
-      real(wp) :: width
-      character(len=:), allocatable :: text
-      integer :: i
-
-      text = plain(label)
-      width = width_of_letter*count([(iachar(text(i:i)) < 128 .or. iachar(text(i:i)) > 191, i=1, len(text))])
-   end function width_of
-
-
-   !> x with so many decimals: 0.300; 58 with none
-   pure function fixed(x, decimals) result(text)
-      real(wp), intent(in) :: x
-      integer, intent(in) :: decimals
-      character(len=:), allocatable :: text
-      character(len=40) :: buffer, form
-
-      write(form, '(a, i0, a)') '(f40.', decimals, ')'
-      write(buffer, form) x
-      text = trim(adjustl(buffer))
-      if (decimals == 0) text = text(:len(text) - 1)
-   end function fixed
-
-
-   !> x > 0 with two significant digits: 0.30, 0.0048, 1.9·10^{−8}
-   pure function significant(x) result(text)
-      real(wp), intent(in) :: x
-      character(len=:), allocatable :: text
-      character(len=16) :: buffer
-      integer :: power
-
-      write(buffer, '(es10.1e3)') x
-      read(buffer(index(buffer, 'E') + 1:), *) power
-      if (power < -3) then
-         text = trim(adjustl(buffer(:index(buffer, 'E') - 1))) // '·10^{−' // to_text(-power) // '}'
-      else
-         text = fixed(x, max(0, 1 - power))
-      end if
-   end function significant
-
-
-   pure function integer_to_text(number) result(text)
-      integer, intent(in) :: number
-      character(len=:), allocatable :: text
-
-      text = whole_text(number)
-   end function integer_to_text
-
-
-   !> Ten digits, of any magnitude
-   pure function real_to_text(x) result(text)
-      real(wp), intent(in) :: x
-      character(len=:), allocatable :: text
-      character(len=17) :: buffer
-
-      write(buffer, '(es17.9e3)') x
-      text = trim(adjustl(buffer))
-   end function real_to_text
-
-
-   !> n + 1 points from a to b.
-   pure function ramp(a, b, n) result(x)
-      real(wp), intent(in) :: a
-      real(wp), intent(in) :: b
-      integer, intent(in) :: n
-      real(wp) :: x(n + 1)
-      integer :: i
-
-      x = [(a + (b - a)*i/n, i=0, n)]
-   end function ramp
 
 end module furiko_figure

@@ -54,7 +54,7 @@ contains
             pack(errors(i, :), errors(i, :) <= huge(errors)))
          call self%draw(pens(i), trim(labels(i)))
       end do
-      call self%note('from here on <k> and <m> round to 1: <K> = ∞', 1e-6_wp, 1e14_wp, 'left')
+      call self%note('<k> and <m> round to 1: <K> = ∞', 1e-6_wp, 1e14_wp, 'left')
       call self%plot()
    end subroutine accuracy_figure
 

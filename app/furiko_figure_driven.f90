@@ -9,7 +9,7 @@
 module furiko_figure_driven
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : rk4
-   use furiko_figure, only : amplitude, black, blue, broken, column, figure, fixed, orange
+   use furiko_figure, only : amplitude, black, blue, broken, column, figure, fixed, orange, solid
    use furiko_pendulum_rates_dp, only : driven_pendulum_rates
    implicit none
    private
@@ -67,7 +67,7 @@ contains
 
       call self%panel('angle <θ>  (degrees)', 'd<θ>/d<t>', &
          [-180.0_wp, 180.0_wp], [-3.0_wp, 3.0_wp], cell=[cell, 3, 1, 1])
-      call self%say('set xtics 90; set ytics 1')
+      call self%say('set xtics 180; set ytics 1')
       call self%caption('<a> = ' // fixed(drive, 2) // ': ' // caption)
       state = [0.2_wp, 0.0_wp]
       call follow(drive, steps*forgotten, state)
@@ -77,7 +77,7 @@ contains
       associate (angle => wrapped(states(1, :)), rate => states(2, :))
          call self%add('orbit of a = ' // fixed(drive, 2), broken(angle, angle, 180.0_wp), &
             broken(rate, angle, 180.0_wp))
-         call self%draw(blue, dash=1)
+         call self%draw(blue, dash=solid)
          call self%add('periods of a = ' // fixed(drive, 2), angle(steps/every::steps/every), &
             rate(steps/every::steps/every))
          call self%draw(orange, style='points pt 7 ps 0.7*scale')

@@ -34,6 +34,7 @@ contains
       integer, allocatable :: swings(:)
       integer :: i
 
+      allocate(swings(decades*looks_per_decade + 1))
       swings = [(nint(10.0_wp**(real(i, wp)/looks_per_decade)), i=0, decades*looks_per_decade)]
       swings = pack(swings, swings > [0, swings(:size(swings) - 1)])
       allocate(drifts(size(swings)))

@@ -73,7 +73,7 @@ contains
       call self%draw(black, dash=orange)
       call self%caption('<θ>_0 = ' // amplitude_%label // ', <T> = ' // &
          fixed(period_ratio(amplitude_%radians), 4) // &
-         ' <T>_h;  dotted: 2<k> sin(<ωt>), 2<k> = 2 sin(<θ>_0/2) = ' // fixed(harmonic, 4) // &
+         ' <T>_h;  dotted: to 2<k> = 2 sin(<θ>_0/2) = ' // fixed(harmonic, 4) // &
          trim(merge('°', '  ', degrees)))
       call self%plot()
    end subroutine add_panel

@@ -58,11 +58,11 @@ contains
 
       call self%panel('amplitude <θ>_0  (degrees)', '', [90.0_wp, 0.1_wp], [0.9_wp, 5.6_wp], log='x', &
          cell=[2, 2, 1, 1], margin=48)
-      call self%say('set xtics ("90" 90, "150" 30, "170" 10, "179" 1, "179.9" 0.1); set ytics 1, 1 ' // &
+      call self%say('set xtics ("90" 90, "170" 10, "179" 1, "179.9" 0.1); set ytics 1, 1 ' // &
          'format "%g"')
       call self%caption('from 90 to 179.9 degrees')
-      call add_curves(180 - 90*[(10.0_wp**(-i*log10(900.0_wp)/150), i=0, 150)], '', 4)
-      call self%note('exact: (2/π) <K>(<k>)', 1.0_wp, 4.5_wp, 'right')
+      call add_curves(180 - 90*[(10.0_wp**(-i*log10(900.0_wp)/150), i=0, 150)], '', 4, &
+         label='(2/π) <K>(<k>)')
       do n = 1, size(labels), 3
          call self%note(trim(labels(n)), 180 - highest, period_ratio_series(highest*degree, n), 'left', &
             pens(n))
@@ -71,10 +71,12 @@ contains
 
    contains
 
-      subroutine add_curves(amplitude, suffix, x_column)
+      subroutine add_curves(amplitude, suffix, x_column, label)
          real(wp), intent(in) :: amplitude(:)
          character(len=*), intent(in) :: suffix
          integer, intent(in) :: x_column
+         !> Of the exact curve
+         character(len=*), intent(in), optional :: label
 
          do n = 1, size(names)
             call self%add(trim(names(n)) // suffix, amplitude, period_ratio_series(amplitude*degree, n), &
@@ -83,7 +85,7 @@ contains
          end do
          call self%add('exact' // suffix, amplitude, period_ratio(amplitude*degree), &
             more=reshape(180 - amplitude, [size(amplitude), 1]))
-         call self%draw(black, style='lines lw 3', x_column=x_column)
+         call self%draw(black, label, style='lines lw 3', x_column=x_column)
       end subroutine add_curves
 
    end subroutine period_figure

@@ -4,7 +4,7 @@
 module furiko_figure_tension
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko, only : motion, pendulum
-   use furiko_figure, only : amplitude, black, blue, column, figure, fixed, orange, ramp
+   use furiko_figure, only : amplitude, black, blue, column, figure, fixed, orange, ramp, solid
    implicit none
    private
    public :: tension_figure
@@ -46,7 +46,7 @@ contains
          end if
          time = ramp(0.0_wp, path%period()/4, 120)
          call self%add('amplitude ' // amplitudes(i)%label, path%angle(time)/degree, path%tension(time))
-         call self%draw(blue, amplitudes(i)%label, dash=merge(1, 3, modulo(i, 2) == 1))
+         call self%draw(blue, amplitudes(i)%label, dash=merge(solid, orange, modulo(i, 2) == 1))
       end do
       self%about = self%about // '.'
       call self%add('zero', [0.0_wp, 180.0_wp], [0.0_wp, 0.0_wp])

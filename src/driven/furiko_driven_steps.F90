@@ -334,20 +334,16 @@ contains
       integer, intent(in) :: tangents
       type(lanes), intent(inout) :: x
       real(wp) :: k(block, most_stages, 0:2)
-      real(wp), dimension(block) :: position, rate, sine, cosine, stiffness, drag
+      real(wp), dimension(block) :: position, rate, stiffness, drag
       integer :: i, j
 
       do i = 1, stages
          call reach(stages, i, x%angle, x%rate, k(:, :, 0), position, rate)
          if (tangents == 0) then
-            call take_sines(position, sine)
+            call accelerate(x, wave(:, i), position, rate, k(:, i, 0))
          else
-            call take_both(position, sine, cosine)
-            stiffness = -x%gravity*cosine
-            drag = -(x%linear + 2.0_wp*x%quadratic*abs(rate))
+            call differentiate(x, wave(:, i), position, rate, k(:, i, 0), stiffness, drag)
          end if
-         k(:, i, 0) = ((x%torque + x%even*wave(1, i)) + x%odd*wave(2, i)) &
-            - (x%linear + x%quadratic*abs(rate))*rate - x%gravity*sine
          do j = 1, tangents
             call reach(stages, i, x%angles(:, j), x%rates(:, j), k(:, :, j), position, rate)
             k(:, i, j) = stiffness*position + drag*rate
@@ -382,36 +378,49 @@ contains
    end subroutine reach
 
 
-   !> Sines of a block
-   pure subroutine take_sines(x, sine)
-      real(wp), intent(in) :: x(block)
-      real(wp), intent(out) :: sine(block)
+   !> The accelerations where a stage is; the phase of the drive has this cosine and sine.
+   pure subroutine accelerate(x, wave, position, rate, k)
+      type(lanes), intent(in) :: x
+      real(wp), intent(in) :: wave(2)
+      real(wp), intent(in) :: position(block)
+      real(wp), intent(in) :: rate(block)
+      real(wp), intent(out) :: k(block)
       real(wp) :: r
       integer(ip) :: flip
       integer :: i
 
       do i = 1, block
-         call reduce(x(i), r, flip)
-         sine(i) = real_of(ieor(bits_of(r + r*((r*r)*sine_quotient(r*r))), flip))
+         call reduce(position(i), r, flip)
+         k(i) = ((x%torque(i) + x%even(i)*wave(1)) + x%odd(i)*wave(2)) &
+            - (x%linear(i) + x%quadratic(i)*abs(rate(i)))*rate(i) &
+            - real_of(ieor(bits_of(x%gravity(i)), flip))*(r + r*((r*r)*sine_quotient(r*r)))
       end do
-   end subroutine take_sines
+   end subroutine accelerate
 
 
-   !> Sines and cosines of a block
-   pure subroutine take_both(x, sine, cosine)
-      real(wp), intent(in) :: x(block)
-      real(wp), intent(out) :: sine(block)
-      real(wp), intent(out) :: cosine(block)
-      real(wp) :: r
+   !> The same, and their derivatives by angle and rate
+   pure subroutine differentiate(x, wave, position, rate, k, stiffness, drag)
+      type(lanes), intent(in) :: x
+      real(wp), intent(in) :: wave(2)
+      real(wp), intent(in) :: position(block)
+      real(wp), intent(in) :: rate(block)
+      real(wp), intent(out) :: k(block)
+      real(wp), intent(out) :: stiffness(block)
+      real(wp), intent(out) :: drag(block)
+      real(wp) :: gravity, r
       integer(ip) :: flip
       integer :: i
 
       do i = 1, block
-         call reduce(x(i), r, flip)
-         sine(i) = real_of(ieor(bits_of(r + r*((r*r)*sine_quotient(r*r))), flip))
-         cosine(i) = real_of(ieor(bits_of(1.0_wp + (r*r)*cosine_quotient(r*r)), flip))
+         call reduce(position(i), r, flip)
+         gravity = real_of(ieor(bits_of(x%gravity(i)), flip))
+         k(i) = ((x%torque(i) + x%even(i)*wave(1)) + x%odd(i)*wave(2)) &
+            - (x%linear(i) + x%quadratic(i)*abs(rate(i)))*rate(i) &
+            - gravity*(r + r*((r*r)*sine_quotient(r*r)))
+         stiffness(i) = -gravity*(1.0_wp + (r*r)*cosine_quotient(r*r))
+         drag(i) = -(x%linear(i) + 2.0_wp*x%quadratic(i)*abs(rate(i)))
       end do
-   end subroutine take_both
+   end subroutine differentiate
 
 
    !> x = r + n pi with abs(r) <= pi/2, and the bit that changes a sign where n is odd. n is rounded by adding
