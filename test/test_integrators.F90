@@ -49,4 +49,4 @@ module test_integrators_qp
    include 'test_integrators.inc'
 end module test_integrators_qp
 #endif
-! rooms: 1068663093
+! rooms: 2510528991

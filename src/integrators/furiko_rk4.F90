@@ -38,4 +38,4 @@ module furiko_rk4
    implicit none
    public
 end module furiko_rk4
-! rooms: 291235467
+! rooms: 213951175
