@@ -77,6 +77,7 @@ contains
       do i = 0, rows
          if (i > 0) call advance(stepper, real(i - 1, wp)*stepper%every*stepper%h, y)
          t = real(i, wp)*(stepper%every*stepper%h)
+         if (.not. all(abs(y) <= huge(y))) call line%reject('angle and rate have run away beyond all numbers')
          call page%row([t/period, y, y(1) - path%angle(t), &
             2*stepper%omega2*(energy_of(y, stepper%omega2) - energy)])
       end do
