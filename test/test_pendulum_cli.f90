@@ -504,7 +504,8 @@ contains
    subroutine test_help(error)
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: commands(*) = [character(len=9) :: 'motion', 'period', &
-         'amplitude', 'drift', 'converge', 'perimeter', 'rk4', 'driven', 'digits', 'time', 'arc', 'help', 'table']
+         'amplitude', 'drift', 'converge', 'perimeter', 'rk4', 'driven', 'digits', 'time', 'arc', 'help', &
+         'table']
       character(len=:), allocatable :: errors, example, output
       integer :: code, i
 
@@ -526,8 +527,8 @@ contains
    subroutine test_all_help(error)
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: commands(*) = [character(len=10) :: '', 'table', 'motion', 'period', &
-         'time', 'amplitude', 'drift', 'rk4', 'driven', 'converge', 'digits', 'perimeter', 'arc', 'plot', 'eval', &
-         'animate', 'selftest', 'help', 'man', 'completion']
+         'time', 'amplitude', 'drift', 'rk4', 'driven', 'converge', 'digits', 'perimeter', 'arc', 'plot', &
+         'eval', 'animate', 'selftest', 'help', 'man', 'completion']
       character(len=:), allocatable :: all_help, errors, output
       integer :: code, i
 
