@@ -162,8 +162,8 @@ contains
 
    !> The part of starts whose end is uncertain where their angle is known to +-epsilon: one or both of the
    !> starts at that distance come to another attractor. It goes as epsilon^alpha, alpha the uncertainty
-   !> exponent, and the boundary of the basins has the dimension D = 2 - alpha. A start is not counted where one
-   !> of the three has come nowhere.
+   !> exponent, and the boundary of the basins has the dimension D = 2 - alpha. A start is not counted where
+   !> one of the three has come nowhere.
    !> Source: McDonald, Grebogi, Ott, Yorke, Physica D 17 (1985) 125.
    subroutine driven_uncertainty(scheme, pendulum, start, points, label, tolerance, periods, epsilons, &
       uncertain, &
