@@ -29,9 +29,10 @@
 !> - Equations of motion in steps: `call rk4(rates, parameters, t0, h, steps, y)` for any system,
 !>   `verlet` and `forest_ruth` for x'' = a(x), `call pendulum_rk4(omega2, h, steps, angle, rate)` for
 !>   one pendulum or many; see [[rk4]], [[verlet]], [[pendulum_rk4]].
-!> - Driven, damped pendulums, many at once: `call driven_periods(driven_order8(96), pendulum, state,
-!>   periods)`, sections, cycles and where they double, Lyapunov exponents, winding numbers, basins; see
-!>   [[driven_steps]], [[driven_section]], [[driven_cycle]], [[driven_exponents]], [[driven_basins]].
+!> - Driven, damped pendulums, many at once: `call driven_periods(scheme, pendulum, state, periods)`,
+!>   `scheme = driven_order8(96)`; sections, cycles and where they double, Lyapunov exponents, winding
+!>   numbers, basins; see [[driven_steps]], [[driven_section]], [[driven_cycle]],
+!>   [[driven_exponents]], [[driven_basins]].
 !> - Whether this build computes right: `furiko_selftest()` is 0; see [[furiko_selftest]].
 !> - The arithmetic-geometric mean: `agm(1.0, sqrt(2.0))`; see [[agm]].
 ! allow(C121)

@@ -194,6 +194,14 @@ contains
       call rk4(driven_pendulum_rates, [1.0_wp, 0.3_wp, 0.2_wp, 0.8_wp, 0.7_wp], 0.0_wp, &
          2*pi/(0.7_wp*steps), steps, y)
       call check(error, hypot(state%angle + 2*pi*state%turns - y(1), state%rate - y(2)) < 2.0e-14_wp)
+      if (allocated(error)) return
+      state = driven_state(0.3_wp, 0.5_wp)
+      y = [state%angle, state%rate]
+      call run_one(driven_rk4(steps), driven_pendulum(damping=0.3_wp, torque=0.2_wp, amplitude=0.8_wp, &
+         frequency=0.7_wp, phase=0.6_wp), state, 1)
+      call rk4(tilted_rates, [0.3_wp, 0.2_wp, 0.8_wp, 0.7_wp, 0.6_wp], 0.0_wp, 2*pi/(0.7_wp*steps), steps, y)
+      call check(error, hypot(state%angle + 2*pi*state%turns - y(1), state%rate - y(2)) < 2.0e-14_wp, &
+         'torque and phase')
    end subroutine test_as_rk4
 
 
@@ -327,14 +335,22 @@ contains
       if (allocated(error)) return
       call check(error, hypot(whole(1)%angle - parts(1)%angle, whole(1)%rate - parts(1)%rate) < 1.0e-11_wp)
       if (allocated(error)) return
-      call rk4(tilted_rates, [0.5_wp, 20.0_wp, 1.0_wp, 1.0_wp], 0.0_wp, 2*pi/20000, 20000, y)
+      call driven_steps(scheme, pendulum, whole, 400, 100)
+      parts = driven_state(0.0_wp, 0.0_wp)
+      call driven_steps(scheme, pendulum, parts, 0, 500)
+      call check(error, hypot(whole(1)%angle - parts(1)%angle, whole(1)%rate - parts(1)%rate) <= 0.0_wp, &
+         'beyond the period')
+      if (allocated(error)) return
+      whole = driven_state(0.0_wp, 0.0_wp)
+      call driven_steps(scheme, pendulum, whole, 0, 400)
+      call rk4(tilted_rates, [0.5_wp, 20.0_wp, 1.0_wp, 1.0_wp, 0.0_wp], 0.0_wp, 2*pi/20000, 20000, y)
       call check(error, abs(whole(1)%angle) <= pi .and. whole(1)%turns == nint(y(1)/(2*pi), int64))
       if (allocated(error)) return
       call check(error, abs(whole(1)%angle + 2*pi*whole(1)%turns - y(1)) < 1.0e-9_wp)
    end subroutine test_parts
 
 
-   !> theta'' = -p(1) theta' - sin(theta) + p(2) + p(3) cos(p(4) t)
+   !> theta'' = -p(1) theta' - sin(theta) + p(2) + p(3) cos(p(4) t + p(5))
    pure subroutine tilted_rates(t, y, parameters, rate)
       real(wp), intent(in) :: t
       real(wp), intent(in) :: y(:)
@@ -343,7 +359,7 @@ contains
 
       associate (p => parameters)
          rate(1) = y(2)
-         rate(2) = -p(1)*y(2) - sin(y(1)) + p(2) + p(3)*cos(p(4)*t)
+         rate(2) = -p(1)*y(2) - sin(y(1)) + p(2) + p(3)*cos(p(4)*t + p(5))
       end associate
    end subroutine tilted_rates
 
@@ -363,10 +379,16 @@ contains
    end subroutine test_symmetry
 
 
+   !> The constants by number; and which states are near each other, upright too
    subroutine test_constants(error)
       type(error_type), allocatable, intent(out) :: error
+      type(driven_state), parameter :: upright = driven_state(3.1_wp, 1.0_wp)
       type(driven_pendulum) :: pendulum
       integer :: i
+
+      call check(error, driven_is_near(upright, driven_state(-3.1_wp, 1.0_wp), 0.1_wp) .and. .not. &
+         driven_is_near(upright, driven_state(-3.1_wp, 1.05_wp), 0.1_wp))
+      if (allocated(error)) return
 
       do i = 1, 6
          call driven_set(pendulum, i, 10.0_wp*i)
@@ -603,7 +625,7 @@ contains
       integer :: i
 
       do i = 1, merge(3, 5, quick)
-         call check(error, abs(driven_return_torque(b(i)) - known(i)) < 1.0e-11_wp)
+         call check(error, abs(driven_return_torque(b(i)) - known(i)) < 5.0e-13_wp)
          if (allocated(error)) return
       end do
       call check(error, ieee_is_nan(driven_return_torque(0.0_wp)) .and. &
@@ -769,23 +791,25 @@ contains
    end subroutine test_early_arrivals
 
 
-   !> alpha = 0.0563(15) from 16384 pairs, by fewer
+   !> alpha = 0.0563(15), and the uncertain part 0.537(8) at 1e-2, 0.366(8) at 1e-5, here from fewer starts
    subroutine test_uncertainty(error)
       type(error_type), allocatable, intent(out) :: error
-      real(wp), parameter :: epsilons(*) = [2.5e-2_wp, 2.5e-3_wp, 2.5e-4_wp, 2.5e-5_wp, 1.5e-6_wp]
+      real(wp), parameter :: epsilons(3) = [1.0e-2_wp, 1.0e-5_wp, 1.5e-6_wp]
       type(driven_state), allocatable :: points(:), more(:), start(:)
       type(driven_pendulum) :: pendulum
-      real(wp) :: uncertain(size(epsilons)), alpha, deviation
+      real(wp) :: uncertain(size(epsilons)), alpha, deviation, parts
 
       call points_of(cycles(13), pendulum, points)
       call points_of(cycles(14), pendulum, more)
       start = grid(merge(8, 48, quick), -2.0_wp, 4.0_wp)
       call driven_uncertainty(driven_order8(24), pendulum, start, [points, more], [1, 2], 1.0e-3_wp, &
          merge(200, 2000, quick), epsilons, uncertain, alpha, deviation)
-      call check(error, all(uncertain > 0.0_wp .and. uncertain < 0.6_wp))
+      parts = 4*hypot(0.5_wp/sqrt(real(size(start), wp)), 0.008_wp)
+      call check(error, abs(uncertain(1) - 0.537_wp) < parts .and. abs(uncertain(2) - 0.366_wp) < parts)
       if (allocated(error)) return
-      call check(error, abs(alpha - 0.0563_wp) < 4*hypot(deviation, 0.0015_wp) .and. &
-         deviation < merge(0.1_wp, 0.005_wp, quick))
+      call check(error, abs(alpha - 0.0563_wp) < 4*hypot(deviation, 0.0015_wp))
+      if (allocated(error)) return
+      call check(error, deviation < merge(0.05_wp, 0.005_wp, quick))
    end subroutine test_uncertainty
 
 end module test_driven

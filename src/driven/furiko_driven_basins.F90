@@ -160,9 +160,10 @@ contains
    end subroutine settle
 
 
-   !> The part of starts whose end is uncertain where their angle is known to +-epsilon: of the two, one
-   !> comes to another attractor. It goes as epsilon^alpha, alpha the uncertainty exponent, and the boundary
-   !> of the basins has the dimension D = 2 - alpha. A pair of which one has come nowhere is not counted.
+   !> The part of starts whose end is uncertain where their angle is known to +-epsilon: one or both of the
+   !> starts at that distance come to another attractor. It goes as epsilon^alpha, alpha the uncertainty
+   !> exponent, and the boundary of the basins has the dimension D = 2 - alpha. A start is not counted where
+   !> one of the three has come nowhere.
    !> Source: McDonald, Grebogi, Ott, Yorke, Physica D 17 (1985) 125.
    subroutine driven_uncertainty(scheme, pendulum, start, points, label, tolerance, periods, epsilons, &
       uncertain, &
@@ -187,21 +188,25 @@ contains
       !> Its standard error, by counting
       real(wp), intent(out) :: error
       type(driven_state) :: state(size(start))
-      integer, dimension(size(start)) :: one, other, when
+      integer, dimension(size(start)) :: middle, left, right, when
       real(wp) :: weight(size(epsilons)), x(size(epsilons))
-      integer :: i, pairs
+      integer :: i, counted
 
+      state = start
+      call driven_basins(scheme, pendulum, state, points, label, tolerance, periods, middle, when)
       do i = 1, size(epsilons)
          state = start
-         state%angle = start%angle + epsilons(i)
-         call driven_basins(scheme, pendulum, state, points, label, tolerance, periods, one, when)
-         state = start
          state%angle = start%angle - epsilons(i)
-         call driven_basins(scheme, pendulum, state, points, label, tolerance, periods, other, when)
-         pairs = max(count(one > 0 .and. other > 0), 1)
-         uncertain(i) = count(one > 0 .and. other > 0 .and. one /= other)/real(pairs, wp)
+         call driven_basins(scheme, pendulum, state, points, label, tolerance, periods, left, when)
+         state = start
+         state%angle = start%angle + epsilons(i)
+         call driven_basins(scheme, pendulum, state, points, label, tolerance, periods, right, when)
+         associate (come => middle > 0 .and. left > 0 .and. right > 0)
+            counted = max(count(come), 1)
+            uncertain(i) = count(come .and. (left /= middle .or. right /= middle))/real(counted, wp)
+         end associate
          ! The variance of ln f is (1 - f)/(n f); a part of 0 or 1 has no weight that means anything.
-         weight(i) = pairs*uncertain(i)/max(1.0_wp - uncertain(i), 1.0_wp/pairs)
+         weight(i) = counted*uncertain(i)/max(1.0_wp - uncertain(i), 1.0_wp/counted)
       end do
       x = log(epsilons)
       x = x - sum(weight*x)/sum(weight)
