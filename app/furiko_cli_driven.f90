@@ -73,7 +73,9 @@ contains
          'period, again and again; attractors, the stable cycles of up to --cycle periods; basins, ' // &
          'which of them each start comes to, and after how many periods (0 and -1 for none).', &
          'With --vary, lyapunov and winding have a row for each value. Chaos amplifies the last digit: ' // &
-         'statistics can be repeated on another machine, single points cannot. doc/driven.md says more.', &
+         'statistics can be repeated on another machine, single points cannot. NaN stands for a member ' // &
+         'that has run away (beyond 2^20), and for a ratio of doublings that has no two before it. ' // &
+         'doc/driven.md says more.', &
          'furiko driven bifurcation --vary drive --from 1.06 --to 1.09 --points 64 --periods 32', options=[ &
          option('--damping', 'B', '0.5', 'linear damping; 1/q'), &
          option('--quadratic', 'C', '0', 'quadratic damping'), &
@@ -125,7 +127,7 @@ contains
          call show_doublings(line, asked)
       case ('attractors')
          call show_attractors(line, asked)
-      case ('basins')
+      case default
          call show_basins(line, asked)
       end select
       call finish()
@@ -227,12 +229,12 @@ contains
       type(question), intent(in) :: asked
       type(column), intent(in) :: others(:)
       type(column), allocatable :: columns(:)
+      integer :: first
 
-      if (asked%vary == 0) then
-         columns = others
-      else
-         columns = [column(constants(asked%vary), places, 9, 15), others]
-      end if
+      first = merge(2, 1, asked%vary > 0)
+      allocate(columns(first - 1 + size(others)))
+      if (asked%vary > 0) columns(1) = column(constants(asked%vary), places, 9, 15)
+      columns(first:) = others
    end function with_value
 
 

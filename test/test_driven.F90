@@ -7,11 +7,12 @@
 module test_driven
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_value, ieee_quiet_nan
-   use furiko, only : driven_amplitude, driven_attractors, driven_basins, driven_block, driven_cascade, driven_cycle, &
-      driven_doubling, driven_exponents, driven_get, driven_is_near, driven_least_rate, driven_left, driven_locking, &
-      driven_orbit, driven_order8, driven_pendulum, driven_periods, driven_ran, driven_round, &
-      driven_return_torque, driven_rk4, driven_scheme, driven_section, driven_set, driven_state, driven_steps, &
-      driven_uncertainty, driven_winding, rk4
+   use furiko, only : driven_amplitude, driven_attractors, driven_basins, driven_block, &
+      driven_cascade, driven_cycle, driven_doubling, driven_exponents, driven_get, driven_is_near, &
+      driven_least_rate, driven_left, driven_locking, driven_orbit, driven_order8, driven_pendulum, &
+      driven_periods, driven_ran, driven_round, driven_return_torque, driven_rk4, driven_scheme, &
+      driven_section, driven_set, driven_state, driven_steps, driven_uncertainty, driven_winding, &
+      rk4
    use furiko_pendulum_rates_dp, only : driven_pendulum_rates
    use testdrive, only : check, error_type, new_unittest, unittest_type
    implicit none

@@ -50,7 +50,9 @@ SECONDS = 10  # of the processor, for one run
 BYTES = 1 << 20  # of a file, standard output among them: then comes EFBIG, as on a full disk
 FEWEST_COMMANDS, FEWEST_OPTIONS = 12, 50
 # As many steps as are asked for, and no row before the last of them: long is what was asked for.
-LONG = {b"rk4": (b"--steps", b"--periods", b"--every")}
+LONG = {b"rk4": (b"--steps", b"--periods", b"--every"),
+        b"driven": (b"--steps", b"--periods", b"--every", b"--transient", b"--points", b"--grid", b"--cycle", b"bifurcation",
+                    b"lyapunov", b"attractors", b"basins")}
 
 RULES = {
     "signal": "killed by a signal",

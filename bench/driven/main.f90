@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> What a step of a driven, damped pendulum costs: 512 members, each with its own amplitude, nanoseconds a step and
-!> member, the least of five runs, by processor time. See `run`.
+!> What a step of a driven, damped pendulum costs: 512 members, each with its own amplitude, nanoseconds a step
+!> and member, the least of five runs, by processor time. See `run`.
 program driven_speed
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_driven_scheme, only : driven_order8, driven_rk4, driven_scheme

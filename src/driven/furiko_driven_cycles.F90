@@ -185,8 +185,8 @@ contains
       integer :: i
 
       do i = 1, most
-         call go_to(scheme, pendulum, which, a, b, b%value - b%f*((b%value - a%value)/(b%f - a%f)), c, round, &
-            found, half)
+         call go_to(scheme, pendulum, which, a, b, b%value - b%f*((b%value - a%value)/(b%f - a%f)), c, &
+            round, found, half)
          if (.not. found) return
          if (c%f > 0.0_wp .neqv. b%f > 0.0_wp) then
             a = b

@@ -166,6 +166,8 @@ contains
          pendulum%frequency = value
       case (driven_phase)
          pendulum%phase = value
+      case default
+         return
       end select
    end subroutine driven_set
 

@@ -74,4 +74,4 @@ module furiko_legendre_one_qp
    include 'furiko_rc_wide_qp.inc'
 end module furiko_legendre_one_qp
 #endif
-! rooms: 4008358047
+! rooms: 1520180282

@@ -4,8 +4,8 @@
 !> --flag -fopenmp.
 program main
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko, only : driven_block, driven_exponents, driven_order8, driven_pendulum, driven_periods, driven_state, &
-      jacobi_m, modulus, modulus_from_mc, theta3
+   use furiko, only : driven_block, driven_exponents, driven_order8, driven_pendulum, driven_periods, &
+      driven_state, jacobi_m, modulus, modulus_from_mc, theta3
    use omp_lib, only : omp_get_max_threads, omp_get_num_threads, omp_set_num_threads
    implicit none
    integer, parameter :: n = 2000, rounds = 16, part = 100
