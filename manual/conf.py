@@ -26,7 +26,7 @@ html_show_sphinx = False
 html_copy_source = False
 html_math_renderer = "mathml"
 html_static_path = ["static"]
-html_css_files = ["wide.css"]
+html_css_files = ["math.css"]
 
 
 def mathml(display):

@@ -81,10 +81,22 @@ def link(book, name):
     return f"[`{name}`](#name-{name})" if name in book.page_of else f"`{name}`"
 
 
-def formula(text):
+def latex(text):
+    """As docutils knows it"""
     for ours, known in ((r"\dots", r"\ldots"), (r"\Bigl", r""), (r"\Bigr", r"")):
         text = text.replace(ours, known)
-    return f"```{{math}}\n{text.strip()}\n```\n"
+    return text.strip()
+
+
+def formula(text):
+    return f"```{{math}}\n{latex(text)}\n```\n"
+
+
+def in_a_cell(book, lines):
+    """A docstring on one line"""
+    pieces = " ".join(lines).split("$$")
+    return "".join(f"${latex(piece).rstrip(',;')}$, " if number % 2 else linked(book, piece.strip() + " ")
+                   for number, piece in enumerate(pieces)).strip(" ,")
 
 
 def markdown(book, lines):
@@ -233,7 +245,7 @@ def arguments(book, page, family):
         yield ""
     if page in ("pendulum", "modulus", "motion"):
         yield from table(["function", "what it says"],
-                         [[f"`{name}({', '.join(arguments)})`", linked(book, " ".join(doc).replace("$$", ""))]
+                         [[f"`{name}({', '.join(arguments)})`", in_a_cell(book, doc)]
                           for name, arguments, doc, _ in of.bindings(page)])
         yield ""
     for name in family["members"]:

@@ -43,12 +43,13 @@ def listed(access, text):
 
 @functools.cache
 def public_names():
-    """{name: module of the facade}; a door that makes all public passes on what its room of real64 does"""
+    """{name: module of the facade}; a door that makes all public passes on what its room of real64 does, and its renamings"""
     found = {"furiko_version": "furiko"}
     for module in modules():
         door = next(make_catalogue.SRC.glob(f"*/{module}.[fF]90")).read_text()
         text = door[door.index(f"\nmodule {module}\n"):]
-        names = listed("public", text) or listed("public", "\n".join(module_lines(module)))
+        names = listed("public", text) or [*listed("public", "\n".join(module_lines(module))),
+                                           *re.findall(r"(\w+) => \w+", text)]
         found.update((name, module) for name in names if name not in listed("private", text))
     return found
 
