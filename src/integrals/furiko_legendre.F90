@@ -54,4 +54,4 @@ module furiko_legendre_qp
    include 'furiko_legendre.inc'
 end module furiko_legendre_qp
 #endif
-! rooms: 4278295476
+! rooms: 789005433
