@@ -254,4 +254,4 @@ contains
    include 'furiko_cli_page.inc'
 
 end module furiko_cli_animate
-! rooms: 2961920387
+! rooms: 4069414773
