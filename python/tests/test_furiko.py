@@ -255,8 +255,11 @@ def test_one_number():
 
 def test_subclass():
     """Other subclasses of ndarray come back as plain arrays."""
-    result = furiko.ellipk_m(np.array([0.25, 0.5]).view(np.recarray))
-    assert type(result) is np.ndarray and result.shape == (2,)
+
+    class Lengths(np.ndarray):
+        __array_priority__ = 1
+
+    assert type(furiko.ellipk_m(np.array([0.25, 0.5]).view(Lengths))) is np.ndarray
 
 
 def scipy_rows():
@@ -370,18 +373,11 @@ def test_motion():
 def test_phase():
     """From the bottom on in the direction of the start; from rest in that of growing angles"""
     pendulum = furiko.Pendulum()
-    for angle, rate, way in (
-        (1.0, 0.0, 1),
-        (-1.0, 0.0, 1),
-        (-1.0, 1.0, 1),
-        (1.0, -1.0, -1),
-        (1.0, -0.0, -1),
-        (0, -20, -1),
-    ):
+    for angle, rate, way in ((1, 0, 1), (-1, 0, 1), (-1, 1, 1), (1, -1, -1), (1, -0.0, -1), (0.5, -20, -1)):
         path = pendulum.started(angle, rate)
-        assert near(
-            path.rate((1 - path.phase(0.0)) * path.period) * way, np.max(np.abs(path.rate([path.time_to(0.0)]))), 64
-        )
+        bottom = (1 - path.phase(0.0)) * path.period
+        assert abs(np.sin(path.angle(bottom))) < 1e-14
+        assert np.sign(path.rate(bottom)) == way
     for angle, phase in ((1.0, 0.25), (-1.0, 0.75)):
         assert near(pendulum.released(angle).phase(0.0), phase, 4)
 
