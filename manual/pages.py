@@ -284,7 +284,7 @@ def special(book, page, family):
         symbols, results = of.catalogue()[name]
         taken = [(given, said) for given, said in of.special_values()[name]
                  if sum(word != "0.5" for word in given) <= 1 and not any(len(word) > 4 or word == "-0.0" for word in given)]
-        yield f"\nTested values of `{name}`, the other arguments at 1/2:\n"
+        yield f"\nTested values of `{name}`{', the other arguments at 1/2' if len(symbols) > 1 else ''}:\n"
         yield from table([*symbols, *(f"`{word}`" for word in results)], [[*given, *said] for given, said in taken])
 
 
