@@ -572,7 +572,8 @@ contains
          'amplitude', 'amplitude --slower 0', 'amplitude --slower -3%', 'amplitude --slower NaN', &
          'amplitude --slower 3deg', 'amplitude 3', 'converge 3', &
          'drift', 'drift --amplitude 180', 'drift --slower -1', 'drift --amplitude 20 --off 0', &
-         'drift --amplitude 20 --off -1', 'drift --amplitude 20 --gravity 0', &
+         'drift --amplitude 20 --off -1', 'drift --slower 3% --off 1e308', 'drift --off 3% --slower 1e308', &
+         'drift --amplitude 20 --gravity 0', &
          'drift --amplitude 0', 'converge --k 1', 'converge --k -1.5', 'converge --k NaN', &
          'converge --steps 0', 'converge --steps 1e300', &
          'perimeter', 'perimeter 2 -1', 'perimeter 1 NaN', 'perimeter 1 1e999', &
