@@ -349,8 +349,8 @@ def pictures(book, page, family):
         caption = of.captions()[picture]
         yield f"![{caption}](../doc/figures/{picture})\n\n{caption}. [How it is made](../doc/gallery.md)\n"
     if "plot" in family and (plots.FOLDER / f"{page}.svg").exists():
-        caption = plots.caption(family["plot"])
-        yield f"![{caption}](../manual/plots/{page}.svg)\n\n{caption.replace('_', '\\_')}."
+        caption = escaped(plots.caption(family["plot"]))
+        yield f"![{caption}](../manual/plots/{page}.svg)\n\n{caption}."
 
 
 def see_also(book, page, family):

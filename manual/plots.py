@@ -66,7 +66,7 @@ def panels(program, plot):
     if "command" in plot:
         rows = ask(program, plot["command"].split())
         # A cycle comes again and again
-        return [(plot["columns"][1], [("", list(dict.fromkeys(tuple(round(float(row[name]), 4) for name in plot["columns"])
+        return [(plot["columns"][1], [("", list(dict.fromkeys(tuple(round(float(row[name]), 6) for name in plot["columns"])
                                                               for row in rows)))])]
     symbol, values = several(plot)
     if symbol:
@@ -84,7 +84,7 @@ def block(points, height):
         if not whole or (point[1]*last < 0 and abs(point[1] - last) > height):
             yield ""
         if whole:
-            yield " ".join(f"{number:.6g}" for number in point)
+            yield " ".join(f"{number:.7g}" for number in point)
         last = point[1]
 
 
@@ -97,8 +97,8 @@ def script(plot, drawn):
     yield f"""set terminal svg size 640,{height} font 'sans-serif,13' background '#ffffff'
 set encoding utf8; set minussign; set border 3; set tics nomirror out; set xzeroaxis lt 1 lc rgb '#a0a0a0'
 unset colorbox; set palette defined (1 '#0072B2', 2 '#B84A00'); set autoscale xfix
-set key at screen 0.99, screen {0.86 if beside else 0.98} right top noenhanced samplen 2.5
-set multiplot layout {rows},{rows} margins screen 0.1,{0.8 if beside else 0.96},{72/height},0.88 spacing screen 0.08,0.17"""
+set key at screen 0.99, screen {0.86 if beside else 0.995} right top noenhanced samplen 2.5
+set multiplot layout {rows},{rows} margins screen 0.1,{0.79 if beside else 0.96},{72/height},0.86 spacing screen 0.1,0.17"""
     if "within" in plot:
         yield f"set yrange [{low}:{high}]"
     if "range" in plot:
