@@ -62,9 +62,9 @@ contains
       real(wp), allocatable :: errors(:)
       integer :: i
 
-      ! Both exact: m = 1 - mc without rounding
-      m = words(1 - cos(amplitude_%radians/2)**2)
-      mc = words(1 - m%hi)
+      ! A multiple of 2^-52, so that 1 - m has no rounding, fused or not
+      m = words(scale(anint(scale(sin(amplitude_%radians/2)**2, 52)), -52))
+      mc = words(1.0_wp - m%hi)
       exact = agm(mc)
       work = ''
       do i = 1, size(names)
