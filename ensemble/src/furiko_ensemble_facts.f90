@@ -27,11 +27,11 @@ contains
       type(fact), allocatable :: facts(:)
       integer :: i
 
-      facts = [text_fact('title', 'Driven, damped pendulums: ' // asked%subject), &
+      facts = [text_fact('subject', asked%subject), text_fact('title', 'Driven, damped pendulums: ' // asked%subject), &
          text_fact('equation', "angle'' = -damping angle' - quadratic |angle'| angle' - sin(angle) + torque" &
             // " + drive cos(frequency t + phase), t in units of sqrt(length/gravity)"), &
          text_fact('furiko_version', furiko_version), text_fact('compiler', compiler_version()), &
-         text_fact('flags', telling_flags(compiler_options())), text_fact('subject', asked%subject), &
+         text_fact('flags', telling_flags(compiler_options())), &
          text_fact('method', asked%method), whole_fact('steps', int(asked%steps, int64)), &
          [(number_fact(trim(constants(i)) // merge('_degrees', '        ', constants(i) == 'phase'), &
             asked%constant(i)), i=1, size(constants))], &

@@ -219,7 +219,8 @@ contains
    end subroutine put_progress
 
 
-   !> The quantities, with names for their directions, and where in the file they begin
+   !> The quantities, with names for their directions, and where in the file they begin. Directions are
+   !> counted as C does, members first.
    subroutine put_quantities(file, asked, all, offsets)
       integer(hid_t), intent(in) :: file
       type(sweep), intent(in) :: asked
@@ -234,7 +235,7 @@ contains
          if (allocated(all(i)%wholes)) kind = h5t_std_i64le
          if (all(i)%each_period) then
             call put_dataset(file, all(i)%name, kind, [int(all(i)%rows, int64), asked%points], dataset)
-            call h5dsattach_scale_f(dataset, period, 1, failed)
+            call h5dsattach_scale_f(dataset, period, 2, failed)
          else
             call put_dataset(file, all(i)%name, kind, [asked%points], dataset)
          end if
@@ -246,7 +247,7 @@ contains
             varied = dataset
             call h5dsset_scale_f(varied, failed, all(1)%name)
          else
-            call h5dsattach_scale_f(dataset, varied, merge(2, 1, all(i)%each_period), failed)
+            call h5dsattach_scale_f(dataset, varied, 1, failed)
             call h5dclose_f(dataset, failed)
          end if
       end do
@@ -408,7 +409,7 @@ contains
          case ('method')
             asked%method = facts(i)%text
          case ('vary')
-            asked%vary = findloc(constants, facts(i)%text, 1)
+            asked%vary = findloc(constants == facts(i)%text, .true., 1)
          case ('steps', 'points', 'transient', 'periods', 'chunk')
             call set_whole(asked, facts(i)%name, facts(i)%whole)
          case default
@@ -699,9 +700,10 @@ contains
       type(ensemble_file), intent(in) :: file
       real(wp), intent(in), target :: session(2)
       integer(hid_t) :: memory, space
-      integer :: failed
+      integer :: failed, number
 
-      call pick(file%session, [0_int64], [2_int64], process() == 0, memory, space)
+      number = process()
+      call pick(file%session, [0_int64], [2_int64], number == 0, memory, space)
       call h5dwrite_f(file%session, h5kind_to_type(wp, h5_real_kind), c_loc(session), failed, memory, space, &
          file%transfer)
       call h5sclose_f(memory, failed)

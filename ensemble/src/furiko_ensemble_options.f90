@@ -78,7 +78,7 @@ contains
          if (word == '--quiet') then
             asked%quiet = .true.
          else if (word(1:2) == '--') then
-            which = findloc(options%name, trim(word), 1)
+            which = findloc(options%name == word, .true., 1)
             i = i + 1
             value = ''
             call get_command_argument(i, value)
@@ -110,7 +110,7 @@ contains
 
       associate (s => asked%asked)
          s%subject = asked%command
-         s%vary = findloc(constants, trim(text_of('--vary')), 1)
+         s%vary = findloc(constants == text_of('--vary'), .true., 1)
          if (s%vary == 0) call reject('--vary', 'damping, quadratic, torque, drive, frequency or phase')
          do i = 1, size(constants)
             s%constant(i) = number_of('--' // trim(constants(i)))
@@ -144,7 +144,7 @@ contains
          character(len=*), intent(in) :: name
          character(len=len(values)) :: text
 
-         text = values(findloc(options%name, name, 1))
+         text = values(findloc(options%name == name, .true., 1))
       end function text_of
 
 

@@ -3,7 +3,7 @@
 !> What the operating system does for a file, by furiko_ensemble_posix.c
 module furiko_ensemble_system
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_long_long, c_null_char
-   use, intrinsic :: iso_fortran_env, only : error_unit, int64, wp => real64
+   use, intrinsic :: iso_fortran_env, only : error_unit, int64, output_unit, wp => real64
    implicit none
    private
    public :: begin_system, end_system, exists, file_lock, file_open, file_remove, file_rename, file_reserve, &
@@ -190,6 +190,7 @@ contains
       integer, intent(in) :: code
 
       flush(error_unit)
+      flush(output_unit)
       call c_end(int(code, c_int))
    end subroutine end_system
 

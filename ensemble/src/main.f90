@@ -192,18 +192,20 @@ contains
       integer, intent(in) :: parts
       integer(int64), allocatable, intent(out) :: to_do(:)
       integer(int64), allocatable, intent(out) :: of_each(:)
-      integer(int64) :: chunk
-      integer :: i, last
+      integer(int64) :: chunk, mine(count(.not. done, kind=int64))
+      integer :: last, owner, this
 
       last = processes()
-      allocate(of_each(last))
-      do i = 1, last
-         ! The parts of a part: together they are the part
-         associate (mine => is_mine([(chunk, chunk=0, chunks(asked) - 1)], part + parts*(i - 1), parts*last))
-            of_each(i) = count(mine .and. .not. done, kind=int64)
-            if (i == process() + 1) to_do = pack([(chunk, chunk=0, chunks(asked) - 1)], mine .and. .not. done)
-         end associate
+      this = process()
+      allocate(of_each(0:last - 1), source=0_int64)
+      do chunk = 0, chunks(asked) - 1
+         if (done(chunk + 1) .or. .not. is_mine(chunk, part, parts)) cycle
+         ! The parts of a part: is_mine(chunk, part + parts*owner, parts*last)
+         owner = int(modulo(chunk/parts, int(last, int64)))
+         of_each(owner) = of_each(owner) + 1
+         if (owner == this) mine(of_each(owner)) = chunk
       end do
+      to_do = mine(:of_each(this))
    end subroutine share
 
 
