@@ -6,13 +6,19 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <libgen.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* HDF5's own lock shuts out whoever only wants to look; ours below does not. Call before HDF5 begins. */
-void ensemble_begin(void) { setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1); }
+/* HDF5's own lock shuts out whoever only wants to look; ours below does not. A file that may not become so large is an
+ * error of a write, as a full disk is, and no signal. Call before HDF5 begins. */
+void ensemble_begin(void)
+{
+   setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+   signal(SIGXFSZ, SIG_IGN);
+}
 
 /* writing: 0 to read, 1 to write what is there, 2 to make it where it is not */
 int ensemble_open(const char *path, int writing, int *descriptor)
