@@ -27,7 +27,8 @@ contains
       type(fact), allocatable :: facts(:)
       integer :: i
 
-      facts = [text_fact('subject', asked%subject), text_fact('title', 'Driven, damped pendulums: ' // asked%subject), &
+      facts = [text_fact('subject', asked%subject), &
+         text_fact('title', 'Driven, damped pendulums: ' // asked%subject), &
          text_fact('equation', "angle'' = -damping angle' - quadratic |angle'| angle' - sin(angle) + torque" &
             // " + drive cos(frequency t + phase), t in units of sqrt(length/gravity)"), &
          text_fact('furiko_version', furiko_version), text_fact('compiler', compiler_version()), &

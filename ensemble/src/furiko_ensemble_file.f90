@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: MIT
 
 !> The file of a sweep, HDF5. It is made whole at the beginning, under another name: every dataset has its
-!> place and its room on the disk, and every attribute is written. From then on only numbers are put into places
-!> that are there, so that no moment is one at which the file cannot be opened.
+!> place and its room on the disk, and every attribute is written. From then on only numbers are put into
+!> places that are there, so that no moment is one at which the file cannot be opened.
 module furiko_ensemble_file
    use, intrinsic :: iso_c_binding, only : c_char, c_f_pointer, c_int, c_loc, c_null_char, c_ptr
    use, intrinsic :: iso_fortran_env, only : int8, int64, wp => real64
@@ -381,8 +381,8 @@ contains
          if (.not. found) then
             trouble = path // ': not a file of this program'
          else if (fact_text(there) /= fact_text(facts(i))) then
-            trouble = path // ': a file of another run, whose ' // there%name // ' is ' // fact_text(there) // &
-               ' and not ' // fact_text(facts(i))
+            trouble = path // ': a file of another run, whose ' // there%name // ' is ' // &
+               fact_text(there) // ' and not ' // fact_text(facts(i))
          end if
          if (trouble /= '') exit
       end do
@@ -573,7 +573,8 @@ contains
       call h5dget_space_f(dataset, space, failed)
       call h5screate_simple_f(size(extents), int(extents, hsize_t), memory, failed)
       if (something) then
-         call h5sselect_hyperslab_f(space, h5s_select_set_f, int(start, hsize_t), int(extents, hsize_t), failed)
+         call h5sselect_hyperslab_f(space, h5s_select_set_f, int(start, hsize_t), &
+            int(extents, hsize_t), failed)
       else
          call h5sselect_none_f(space, failed)
          call h5sselect_none_f(memory, failed)

@@ -126,7 +126,8 @@ contains
          s%transient = int(whole_of('--transient', 0_int64, 10_int64**9))
          s%periods = int(whole_of('--periods', 1_int64, 10_int64**9))
          s%chunk = int(whole_of('--chunk', 1_int64, 10_int64**7))
-         if (s%subject == 'lyapunov' .and. s%periods < 16) call reject('--periods', '16 or more, for the error')
+         if (s%subject == 'lyapunov' .and. s%periods < 16) &
+            call reject('--periods', '16 or more, for the error')
          if (s%subject == 'bifurcation' .and. int(s%periods, int64)*s%chunk > 10_int64**8) &
             call reject('--chunk', 'periods times chunk up to 100000000, which is 1.6 GB')
       end associate
@@ -152,7 +153,8 @@ contains
          character(len=*), intent(in) :: name
          character(len=*), intent(in) :: wanted
 
-         if (asked%trouble == '') asked%trouble = name // ' ' // trim(text_of(name)) // ': it wants ' // wanted
+         if (asked%trouble /= '') return
+         asked%trouble = name // ' ' // trim(text_of(name)) // ': it wants ' // wanted
       end subroutine reject
 
 
@@ -190,16 +192,15 @@ contains
    function fraction_of(text) result(both)
       character(len=*), intent(in) :: text
       real(wp) :: both(2)
-      integer :: bar, failed(2)
+      integer :: bar, failed
 
       both = [0.0_wp, 1.0_wp]
-      failed = 0
       bar = index(text // '/', '/')
       associate (first => text(:min(bar - 1, len_trim(text))), second => text(bar + 1:len_trim(text)))
-         read(first, *, iostat=failed(1)) both(1)
-         if (bar <= len_trim(text)) read(second, *, iostat=failed(2)) both(2)
+         read(first, *, iostat=failed) both(1)
+         if (failed == 0 .and. bar <= len_trim(text)) read(second, *, iostat=failed) both(2)
       end associate
-      if (any(failed /= 0) .or. verify(trim(text), '0123456789.+-eE/') > 0) both = 0.0_wp
+      if (failed /= 0 .or. verify(trim(text), '0123456789.+-eE/') > 0) both = 0.0_wp
    end function fraction_of
 
 
@@ -210,10 +211,11 @@ contains
 
       write(unit, '(a)') 'ensemble SUBJECT FILE --from X --to X --points N [OPTION VALUE ...] [--quiet]', &
          'ensemble status FILE', 'ensemble join FILE PART ...', '', &
-         'Many driven, damped pendulums, one constant of which goes from one value to another, into one HDF5 file.', &
-         'SUBJECT is bifurcation (sections of each member), lyapunov (both exponents), or winding (turns a period).', &
-         'The same command again goes on where it was stopped. status tells how far a file has come, also while it', &
-         'is written; join puts files of parts together. doc/ensemble.md says more.', ''
+         'Many driven, damped pendulums, one constant of which goes from one value to another, into one', &
+         'HDF5 file. SUBJECT is bifurcation (sections of each member), lyapunov (both exponents) or winding', &
+         '(turns a period). The same command again goes on where it was stopped. status tells how far a', &
+         'file has come, also while it is written; join puts files of parts together. doc/ensemble.md has', &
+         'more.', ''
       do i = 1, size(options)
          if (options(i)%value == '') then
             write(unit, '(a)') '   ' // options(i)%name // ' ' // trim(options(i)%about)

@@ -6,8 +6,8 @@ program main
    use furiko, only : driven_scheme
    use furiko_ensemble_communicator, only : begin_processes, broadcast, end_processes, give_up, highest, &
       process, processes
-   use furiko_ensemble_file, only : begin_files, close_file, done_chunks, ensemble_file, hold_file, mark_chunk, &
-      open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
+   use furiko_ensemble_file, only : begin_files, close_file, done_chunks, ensemble_file, hold_file, &
+      mark_chunk, open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
    use furiko_ensemble_options, only : read_request, request, usage
    use furiko_ensemble_progress, only : progress, progress_line
    use furiko_ensemble_sweep, only : chunks, compute, is_mine, quantities, quantity, scheme_of, sweep
@@ -99,10 +99,10 @@ contains
       type(sweep), intent(in) :: other
       logical :: same
 
-      same = one%subject == other%subject .and. one%method == other%method .and. one%steps == other%steps .and. &
-         all(abs(one%constant - other%constant) <= 0) .and. one%vary == other%vary .and. &
-         all(abs([one%angle - other%angle, one%rate - other%rate, one%from - other%from, &
-         one%to - other%to]) <= 0) .and. one%points == other%points .and. &
+      same = one%subject == other%subject .and. one%method == other%method .and. &
+         one%steps == other%steps .and. all(abs(one%constant - other%constant) <= 0) .and. &
+         one%vary == other%vary .and. all(abs([one%angle - other%angle, one%rate - other%rate, &
+         one%from - other%from, one%to - other%to]) <= 0) .and. one%points == other%points .and. &
          one%transient == other%transient .and. one%periods == other%periods .and. one%chunk == other%chunk
       if (.not. same) call refuse_all(path // ': a file of another run than the others', refusal)
    end subroutine compare
@@ -173,7 +173,8 @@ contains
          call demand(trouble)
          call write_session(file, [real(found, wp), seconds() - shown%started])
          there = before + sum(min(of_each, round))
-         call shown%show(progress_line(there, all_of_part, before, asked%chunk, seconds() - shown%started), .false.)
+         call shown%show(progress_line(there, all_of_part, before, asked%chunk, &
+            seconds() - shown%started), .false.)
       end do
       call write_session(file, [0.0_wp, 0.0_wp])
       call close_file(file, trouble)
