@@ -126,10 +126,15 @@ contains
          s%transient = int(whole_of('--transient', 0_int64, 10_int64**9))
          s%periods = int(whole_of('--periods', 1_int64, 10_int64**9))
          s%chunk = int(whole_of('--chunk', 1_int64, 10_int64**7))
-         if (s%subject == 'lyapunov' .and. s%periods < 16) &
-            call reject('--periods', '16 or more, for the error')
-         if (s%subject == 'bifurcation' .and. int(s%periods, int64)*s%chunk > 10_int64**8) &
-            call reject('--chunk', 'periods times chunk up to 100000000, which is 1.6 GB')
+         select case (s%subject)
+         case ('lyapunov')
+            if (s%periods < 16) call reject('--periods', '16 or more, for the error')
+         case ('bifurcation')
+            if (int(s%periods, int64)*s%chunk > 10_int64**8) call reject('--chunk', &
+               'periods times chunk up to 100000000, which is 1.6 GB')
+         case default
+            continue
+         end select
       end associate
       parts = fraction_of(text_of('--part'))
       asked%part = int(parts(1))
@@ -180,7 +185,9 @@ contains
 
          text = text_of(name)
          whole = least - 1
-         if (verify(trim(text), '0123456789') == 0) read(text, '(i20)', iostat=failed) whole
+         failed = verify(trim(text), '0123456789')
+         if (failed == 0) read(text, '(i20)', iostat=failed) whole
+         if (failed /= 0) whole = least - 1
          write(limits, '(i0, a, i0)') least, ' to ', most
          if (whole < least .or. whole > most) call reject(name, 'a whole number, ' // trim(limits))
          whole = max(min(whole, most), least)
@@ -214,8 +221,8 @@ contains
          'Many driven, damped pendulums, one constant of which goes from one value to another, into one', &
          'HDF5 file. SUBJECT is bifurcation (sections of each member), lyapunov (both exponents) or winding', &
          '(turns a period). The same command again goes on where it was stopped. status tells how far a', &
-         'file has come, also while it is written; join puts files of parts together. doc/ensemble.md has', &
-         'more.', ''
+         'file has come, also while it is written; join puts files of parts together.', &
+         'doc/ensemble.md says more.', ''
       do i = 1, size(options)
          if (options(i)%value == '') then
             write(unit, '(a)') '   ' // options(i)%name // ' ' // trim(options(i)%about)
