@@ -13,7 +13,15 @@ module furiko_ensemble_file
    use furiko_ensemble_system, only : exists, file_lock, file_open, file_remove, file_rename, file_reserve, &
       file_sync, is_locked, reason, to_make, to_read, to_write
    use h5ds, only : h5dsattach_scale_f, h5dsset_scale_f
-   use hdf5
+   use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aopen_f, h5aread_f, &
+      h5awrite_f, h5d_alloc_time_early_f, h5d_fill_time_never_f, h5dclose_f, h5dcreate_f, &
+      h5dget_offset_f, h5dget_space_f, h5dopen_f, h5dread_f, h5dwrite_f, h5eset_auto_f, &
+      h5f_acc_rdonly_f, h5f_acc_rdwr_f, h5f_acc_trunc_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, &
+      h5fflush_f, h5fopen_f, h5gclose_f, h5gcreate_f, h5kind_to_type, h5open_f, h5p_dataset_create_f, &
+      h5p_dataset_xfer_f, h5p_file_access_f, h5pclose_f, h5pcreate_f, h5pset_alloc_time_f, &
+      h5pset_fill_time_f, h5pset_obj_track_times_f, h5pset_sieve_buf_size_f, h5s_scalar_f, &
+      h5s_select_set_f, h5sclose_f, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, &
+      h5sselect_none_f, h5t_ieee_f64le, h5t_std_i64le, h5t_std_i8le, h5t_string, hid_t, hsize_t, size_t
    implicit none
    private
    public :: ensemble_file, begin_files, close_file, done_chunks, hold_file, mark_chunk, open_file, &

@@ -219,9 +219,9 @@ contains
       write(unit, '(a)') 'ensemble SUBJECT FILE --from X --to X --points N [OPTION VALUE ...] [--quiet]', &
          'ensemble status FILE', 'ensemble join FILE PART ...', '', &
          'Many driven, damped pendulums, one constant of which goes from one value to another, into one', &
-         'HDF5 file. SUBJECT is bifurcation (sections of each member), lyapunov (both exponents) or winding', &
-         '(turns a period). The same command again goes on where it was stopped. status tells how far a', &
-         'file has come, also while it is written; join puts files of parts together.', &
+         'HDF5 file. SUBJECT is bifurcation (sections of each member), lyapunov (both exponents) or', &
+         'winding (turns a period). The same command again goes on where it was stopped. status tells', &
+         'how far a file has come, also while it is written; join puts files of parts together.', &
          'doc/ensemble.md says more.', ''
       do i = 1, size(options)
          if (options(i)%value == '') then
