@@ -24,8 +24,8 @@ module furiko_ensemble_file
       h5sselect_none_f, h5t_ieee_f64le, h5t_std_i64le, h5t_std_i8le, h5t_string, hid_t, hsize_t, size_t
    implicit none
    private
-   public :: ensemble_file, begin_files, close_file, done_chunks, hold_file, mark_chunk, open_file, &
-      open_to_look, read_chunk, read_session, read_sweep, write_chunk, write_session
+   public :: ensemble_file, begin_files, close_file, difference, done_chunks, hold_file, mark_chunk, &
+      open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
 
 
    !> An open file

@@ -6,8 +6,8 @@ program main
    use furiko, only : driven_scheme
    use furiko_ensemble_communicator, only : begin_processes, broadcast, end_processes, give_up, highest, &
       process, processes
-   use furiko_ensemble_file, only : begin_files, close_file, done_chunks, ensemble_file, hold_file, &
-      mark_chunk, open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
+   use furiko_ensemble_file, only : begin_files, close_file, difference, done_chunks, ensemble_file, &
+      hold_file, mark_chunk, open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
    use furiko_ensemble_options, only : read_request, request, usage
    use furiko_ensemble_progress, only : progress, progress_line
    use furiko_ensemble_sweep, only : chunks, compute, is_mine, quantities, quantity, scheme_of, sweep
@@ -83,29 +83,15 @@ contains
          call get_command_argument(i + 2, word)
          call open_to_look(trim(word), parts(i), other, running, trouble)
          if (trouble /= '') call refuse_all(trouble, refusal)
-         if (i < size(parts)) call compare(parts(i)%path, other, asked)
-         asked = other
+         if (i == size(parts)) asked = other
+         ! Parts belong together only where all that decides about the numbers is the same.
+         trouble = difference(parts(i)%path, asked)
+         if (trouble /= '') call refuse_all(trouble, refusal)
       end do
       call get_command_argument(2, word)
       call prepare(trim(word), asked, 1, 1)
       call fill(trim(word), asked, 1, 1, parts, .true.)
    end subroutine join
-
-
-   !> Parts belong together only where all that decides about the numbers is the same
-   subroutine compare(path, one, other)
-      character(len=*), intent(in) :: path
-      type(sweep), intent(in) :: one
-      type(sweep), intent(in) :: other
-      logical :: same
-
-      same = one%subject == other%subject .and. one%method == other%method .and. &
-         one%steps == other%steps .and. all(abs(one%constant - other%constant) <= 0) .and. &
-         one%vary == other%vary .and. all(abs([one%angle - other%angle, one%rate - other%rate, &
-         one%from - other%from, one%to - other%to]) <= 0) .and. one%points == other%points .and. &
-         one%transient == other%transient .and. one%periods == other%periods .and. one%chunk == other%chunk
-      if (.not. same) call refuse_all(path // ': a file of another run than the others', refusal)
-   end subroutine compare
 
 
    !> The first process makes or checks the file; all end where it cannot.
