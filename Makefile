@@ -34,7 +34,8 @@ endif
 about := $(shell $(FC) --version 2>&1)
 ifneq ($(findstring GNU Fortran,$(about)),)
 compiler = GNU-$(shell $(FC) -dumpfullversion)
-# What a C compiler has to link beside a static library; libquadmath is of some processors only
+# What a C compiler has to link beside a static library; libquadmath is of some processors only. Where there is no
+# shared library, furiko.pc names it without --static, too.
 private = -lgfortran $(if $(findstring /,$(shell $(FC) -print-file-name=libquadmath.a)),-lquadmath) -lm
 else ifneq ($(findstring flang,$(about)),)
 compiler = LLVMFlang-$(shell $(FC) -dumpversion)
@@ -117,7 +118,8 @@ put = install -d "$(DESTDIR)$(2)" && install -m $(or $(3),644) $(1) "$(DESTDIR)$
 install: all
 	@touch $(BUILD)/installed
 	sed -e 's|@prefix@|$(PREFIX)|; s|@libdir@|$(LIBDIR)|; s|@modules@|$(MODULES)|' \
-	   -e 's|@includedir@|$(INCLUDEDIR)|; s|@version@|$(version)|; s|@private@|$(private)|' tools/furiko.pc.in >$(BUILD)/furiko.pc
+	   -e 's|@includedir@|$(INCLUDEDIR)|; s|@version@|$(version)|; s|@private@|$(private)|' \
+	   -e 's|@libs@|$(if $(SHARED),,$(private))|' tools/furiko.pc.in >$(BUILD)/furiko.pc
 	$(call put,$(BUILD)/libfuriko.a,$(LIBDIR))
 	$(if $(SHARED),$(call put,$(BUILD)/$(soname),$(LIBDIR),755))
 	$(if $(SHARED),ln -sf $(soname) "$(DESTDIR)$(LIBDIR)/libfuriko.so")

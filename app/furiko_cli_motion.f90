@@ -40,9 +40,9 @@ contains
          'or --angle names; angles in degrees, or as 1rad.', &
          'The columns are time, angle, harmonic (the small-angle motion from the same start), rk4 (by ' // &
          'Runge-Kutta, a step a row) and its error, all angles in radians; degrees; rate; energy ' // &
-         '(rate^2/2 - (g/l) cos(angle), that is, over m l^2); tension (over m g); turns; phase ' // &
-         '(the part of a period since the bottom). Without --columns the text is that of the lecture ' // &
-         'note''s furiko.c, without a head.', &
+         '(rate^2/2 - (g/l) cos(angle), that is, over m l^2); tension (over m g); turns (over the ' // &
+         'top; -1 the other way); phase (the part of a period since the bottom). Without --columns ' // &
+         'the text is that of the lecture note''s furiko.c, without a head.', &
          'furiko motion --amplitude 1rad --to 10 --step 0.01 --gravity 9.8', options=[ &
          start_options, &
          option('--at', 'T', '', 'one time in seconds, or as 500ms, 2min'), &
@@ -217,8 +217,8 @@ contains
       type(word) :: at
       real(wp) :: time
 
-      if (line%given('--at') .eqv. line%given('--slack')) call line%reject('one of --at and --slack, as ' // &
-         '--at 0')
+      if (line%given('--at') .eqv. line%given('--slack')) call line%reject('at which angle? --at 0, ' // &
+         'or --slack, one of them')
       path = motion_of(line, pendulum_of(line))
       if (line%given('--at')) then
          at = line%value('--at')

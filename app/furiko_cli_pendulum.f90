@@ -92,8 +92,8 @@ contains
             ' are two starts; one is enough')
          which = i
       end do
+      if (line%given('--rate') .and. which < 3) call line%reject('--rate goes with --angle, as --angle 0')
       if (which == 0) call line%reject('name a start, as --amplitude 1rad; see ' // line%name // ' --help')
-      if (line%given('--rate') .and. which < 3) call line%reject('--rate goes with --angle')
       angle = angle_of(line%value(trim(starts(which))))
       if (which < 3) call demand(is_below_half_turn(angle), line%value(trim(starts(which))), &
          '-180 < angle < 180 degrees')

@@ -159,12 +159,13 @@ contains
 
 
    !> A part of a whole, above 0
+   !> Quotients and products of such parts are within the range of numbers.
    function part_of(given) result(part)
       type(word), intent(in) :: given
       type(words) :: part
 
       part = number_of(given, pure_number)
-      call demand(part%hi > 0.0_wp, given, 'part > 0')
+      call demand(part%hi >= 1.0e-100_wp .and. part%hi <= 1.0e100_wp, given, '1e-100 <= part <= 1e100')
    end function part_of
 
 end module furiko_cli_period

@@ -3,7 +3,9 @@
 ! The elliptic functions of Numerical Recipes (Press, Teukolsky, Vetterling, Flannery: Numerical Recipes
 ! in FORTRAN, second edition, section 6.11, and cel of the first edition, 6.7) under their names, computed
 ! by furiko. To be compiled with a program in place of its own copies: REAL, or with -DNUMREC_DOUBLE in
-! DOUBLE PRECISION, as many programs have changed theirs.
+! DOUBLE PRECISION, as many programs have changed theirs. A program compiled with -fdefault-real-8 has this
+! file compiled with that flag and without the macro; a mismatch is not reported, and gives numbers near
+! 1E-314.
 !
 ! Otherwise than there: bad arguments give NaN, a pole infinity (there: PAUSE); arguments may be of any
 ! size, phi any angle, m > 1 and mc < 0 what a real argument can give; numbers are right to 4 units in the

@@ -11,6 +11,7 @@ import sys
 import textwrap
 import tomllib
 
+import plots
 import sources as of
 
 MEANINGS = of.make_c_interface.MEANINGS
@@ -21,8 +22,8 @@ MORE_MEANINGS = {"x": "number", "y": "number", "z": "number", "p": "number", "a"
                  "terms": "how many terms", "n": "characteristic, in DLMF's sign"}
 FORM_WORDS = {"k": "modulus, m = k²", "m": "parameter, m = k²", "mc": "complementary parameter, 1 − m",
               "alpha": "modular angle, k = sin α"}
-PARTS = ["Signatures", "Definition", "Arguments", "Special values", "Accuracy", "Speed", "Method", "Example", "See also",
-         "Names elsewhere"]
+PARTS = ["Signatures", "Definition", "Arguments", "Special values", "Accuracy", "Speed", "Method", "Pictures", "Example",
+         "See also", "Names elsewhere"]
 
 
 class Book:
@@ -44,8 +45,8 @@ class Book:
 
     def page(self, page):
         family = self.families[page]
-        writers = dict(zip(PARTS, (signatures, definition, arguments, special, accuracy, speed, method, example,
-                                   see_also, elsewhere)))
+        writers = dict(zip(PARTS, (signatures, definition, arguments, special, accuracy, speed, method, pictures,
+                                   example, see_also, elsewhere)))
         yield f"# {family['title']}"
         yield ""
         yield f"{family.get('about', '')}".strip()
@@ -56,11 +57,6 @@ class Book:
             if not text:
                 self.lacking.append(f"{page}: {part}")
             yield f"\n## {part}\n\n{text}"
-        if "figure" in family:
-            yield "\n## Pictures"
-        for picture in family.get("figure", []):
-            caption = of.captions()[picture]
-            yield f"\n![{caption}](../doc/figures/{picture})\n\n{caption}. [How it is made](../doc/gallery.md)"
         yield from details(self, family)
 
 
@@ -284,7 +280,7 @@ def special(book, page, family):
         symbols, results = of.catalogue()[name]
         taken = [(given, said) for given, said in of.special_values()[name]
                  if sum(word != "0.5" for word in given) <= 1 and not any(len(word) > 4 or word == "-0.0" for word in given)]
-        yield f"\nTested values of `{name}`, the other arguments at 1/2:\n"
+        yield f"\nTested values of `{name}`{', the other arguments at 1/2' if len(symbols) > 1 else ''}:\n"
         yield from table([*symbols, *(f"`{word}`" for word in results)], [[*given, *said] for given, said in taken])
 
 
@@ -344,6 +340,17 @@ def example(book, page, family):
         yield "\nIt prints\n"
         yield from code("text", output)
         yield ""
+
+
+def pictures(book, page, family):
+    """None, and the page lacks a part, where families.toml neither has one nor says why"""
+    yield family.get("unplotted", "")
+    for picture in family.get("figure", []):
+        caption = of.captions()[picture]
+        yield f"![{caption}](../doc/figures/{picture})\n\n{caption}. [How it is made](../doc/gallery.md)\n"
+    if "plot" in family and (plots.FOLDER / f"{page}.svg").exists():
+        caption = escaped(plots.caption(family["plot"]))
+        yield f"![{caption}](../manual/plots/{page}.svg)\n\n{caption}."
 
 
 def see_also(book, page, family):

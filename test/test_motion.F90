@@ -55,4 +55,4 @@ module test_motion_qp
    include 'test_motion.inc'
 end module test_motion_qp
 #endif
-! rooms: 3328831634
+! rooms: 4171958878

@@ -572,13 +572,14 @@ contains
          'amplitude', 'amplitude --slower 0', 'amplitude --slower -3%', 'amplitude --slower NaN', &
          'amplitude --slower 3deg', 'amplitude 3', 'converge 3', &
          'drift', 'drift --amplitude 180', 'drift --slower -1', 'drift --amplitude 20 --off 0', &
-         'drift --amplitude 20 --off -1', 'drift --amplitude 20 --gravity 0', &
+         'drift --amplitude 20 --off -1', 'drift --slower 3% --off 1e308', 'drift --off 3% --slower 1e308', &
+         'drift --amplitude 20 --gravity 0', &
          'drift --amplitude 0', 'converge --k 1', 'converge --k -1.5', 'converge --k NaN', &
          'converge --steps 0', 'converge --steps 1e300', &
          'perimeter', 'perimeter 2 -1', 'perimeter 1 NaN', 'perimeter 1 1e999', &
          'perimeter 1 2 3', 'perimeter 1 2 --terms 0', &
          'rk4 --amplitude 180', 'rk4 --method euler', 'rk4 --steps 0', 'rk4 --periods -1', &
-         'rk4 --every 0', 'rk4 --linear NaN', 'rk4 --linear -20000', 'rk4 --quadratic -10', &
+         'rk4 --every 0', 'rk4 --linear NaN', &
          'time', 'time --at 1', 'time --release 9 --at 10', 'arc 2', 'arc 2 0', 'arc 2 1 --equal 0', &
          'completion', 'completion tcsh', &
          'digits --k 1', 'digits --k NaN', 'digits --digits 34', 'digits --digits 0']
@@ -587,7 +588,7 @@ contains
          'motion --amplitude 1 --release 2', 'motion --amplitude 1 --rate 2', 'motion --rate 2', &
          "period 30°60\'", "period 30°-5\'", 'rk4 --steps 3 --steps 3', 'arc 2 1 --polar=1', &
          'motion --release 9 --at 1 --to 3', &
-         'time --slack --release 9', &
+         'time --slack --release 9', 'rk4 --linear -20000', 'rk4 --quadratic -10', &
          'time --release 9', 'time --release 9 --at 1 --slack', 'motion --amplitude 1 --from 5 --to 1', &
          'drift --amplitude 20 --slower 3%', 'perimeter 1']
       character(len=:), allocatable :: errors, output, word

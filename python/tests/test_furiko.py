@@ -8,6 +8,7 @@ import inspect
 import os
 import pathlib
 import pickle
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -20,6 +21,7 @@ import furiko
 from furiko import _functions
 
 DATA = pathlib.Path(__file__).parents[2] / "test/data"
+MASKED = np.ma.array([0.25, 0.5], mask=[False, True])
 FUNCTIONS = [name for name in _functions.__all__ if inspect.isfunction(getattr(furiko, name))]
 
 
@@ -186,8 +188,14 @@ def test_out():
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
-        (lambda: furiko.ellipk_m("a"), TypeError, "ellipk_m: m is str"),
-        (lambda: furiko.ellipk_m(None), TypeError, "ellipk_m: m is object"),
+        (lambda: furiko.ellipk_m("a"), TypeError, "ellipk_m: m is a string, not real"),
+        (lambda: furiko.ellipk_m(None), TypeError, "ellipk_m: m is None, not real"),
+        (lambda: furiko.ellipk_m(["a"]), TypeError, "ellipk_m: m is an array of strings"),
+        (lambda: furiko.ellipk_m([1.0, None]), TypeError, "ellipk_m: m is an array of Python objects"),
+        (lambda: furiko.ellipk_m({}), TypeError, "ellipk_m: m is of type dict"),
+        (lambda: furiko.ellipk_m(MASKED), TypeError, "m is a masked array, whose mask would be lost: use np.ma.array("),
+        (lambda: furiko.ellipf_m(1, np.ma.masked), TypeError, "ellipf_m: m is a masked array"),
+        (lambda: furiko.ellipk_m([1, 2], out=MASKED), TypeError, "ellipk_m: out is of type MaskedArray, not an array"),
         (lambda: furiko.ellipf_m(1, 1j), TypeError, "ellipf_m: m is complex128"),
         (lambda: furiko.ellipk_m(np.longdouble(1)), TypeError, "ellipk_m: m is "),
         (lambda: furiko.ellipk_m(), TypeError, "missing 1 required positional argument: 'm'"),
@@ -200,11 +208,26 @@ def test_out():
         (lambda: furiko.jacobi_m(1, 0, out=(0, 0, 0)), TypeError, "jacobi_m: out is of type int, not an array"),
         (furiko.Modulus, TypeError, "Modulus takes one of k, m"),
         (lambda: furiko.Modulus(k=0.5, m=0.25), TypeError, "Modulus takes one of k, m"),
-        (lambda: furiko.Modulus(m=0.5).am("a"), TypeError, "modulus_am: u is str"),
+        (lambda: furiko.Modulus(m=0.5).am("a"), TypeError, "modulus_am: u is a string"),
+        (lambda: furiko.Modulus(m=0.5).am(MASKED), TypeError, "modulus_am: u is a masked array"),
+        (lambda: furiko.Modulus(m="a"), TypeError, "Modulus: m is a string"),
+        (lambda: furiko.Modulus(k="0.5"), TypeError, "Modulus: k is a string"),
+        (lambda: furiko.Modulus(mc=1j), TypeError, "Modulus: mc is complex128"),
+        (lambda: furiko.Modulus(m=[0.1, 0.2]), TypeError, "Modulus: m is an array of the shape (2,), not one number"),
+        (lambda: furiko.Pendulum(length="1"), TypeError, "Pendulum: length is a string"),
+        (lambda: furiko.Pendulum(gravity=None), TypeError, "Pendulum: gravity is None"),
+        (lambda: furiko.Pendulum().released(angle="x"), TypeError, "released: angle is a string"),
+        (lambda: furiko.Pendulum().swinging("0.5"), TypeError, "swinging: amplitude is a string"),
+        (lambda: furiko.Pendulum().started(0, None), TypeError, "started: rate is None"),
         (furiko.Motion, TypeError, "a Motion is made by a Pendulum"),
         (lambda: furiko.pendulum_rk4(1, 0.1, 2**31, 1, 0), ValueError, "pendulum_rk4: steps is 2147483648"),
         (lambda: furiko.pendulum_rk4(1, 0.1, 1.5, 1, 0), TypeError, "cannot be interpreted as an integer"),
         (lambda: furiko.pendulum_rk4(1j, 0.1, 1, 1, 0), TypeError, "pendulum_rk4: omega2 is complex128"),
+        (lambda: furiko.pendulum_rk4(1, "0.1", 1, 1, 0), TypeError, "pendulum_rk4: h is a string"),
+        (lambda: furiko.rk4(lambda t, y: y, None, 0.1, 1, 0), TypeError, "rk4: t0 is None"),
+        (lambda: furiko.rk4(lambda t, y: 1j * y, 0, 0.1, 1, 0), TypeError, "rk4: what f returns is complex128"),
+        (lambda: furiko.rk4(lambda t, y: y, 0, 0.1, 1, MASKED), TypeError, "rk4: y is a masked array"),
+        (lambda: furiko.verlet(lambda x: x, 0.1, 1, 0, "a"), TypeError, "verlet: v is a string"),
         (
             lambda: furiko.rk4(lambda t, y: [1.0], 0, 0.1, 1, [0, 0]),
             ValueError,
@@ -219,6 +242,61 @@ def test_errors(call, error, message):
         call()
     assert message in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_one_number():
+    """Of any real type, where there is only one: as of a float"""
+    for one in (True, 1, np.int8(1), np.float32(1), np.array(1.0)):
+        assert furiko.Modulus(mc=one).m == 0.0
+        assert furiko.Pendulum(one).released(one).amplitude == 1.0
+    # Beyond 64 bits NumPy takes a whole number for a Python object.
+    assert furiko.Modulus(m=-(10**30)).m == -1e30
+
+
+def test_subclass():
+    """Other subclasses of ndarray come back as plain arrays."""
+
+    class Lengths(np.ndarray):
+        __array_priority__ = 1
+
+    assert type(furiko.ellipk_m(np.array([0.25, 0.5]).view(Lengths))) is np.ndarray
+
+
+def scipy_rows():
+    """Of doc/python.md: SciPy's name, and what is written here"""
+    page = (DATA.parents[1] / "doc/python.md").read_text()
+    for line in page.partition("## From SciPy")[2].partition("\n## ")[0].splitlines():
+        if line.startswith("| `"):
+            name, here = re.findall(r"`([^`]*)`", line)[:2]
+            yield name, here
+
+
+def test_scipy_names():
+    """A name of SciPy's is an error that says what it is called here, as the page does."""
+    seen = set()
+    for call, here in scipy_rows():
+        name = call.partition("(")[0]
+        if hasattr(furiko, name):
+            assert call == here
+            continue
+        with pytest.raises(AttributeError) as caught:
+            getattr(furiko, name)
+        message = str(caught.value)
+        assert message.startswith(f"module 'furiko' has no attribute '{name}': SciPy's {call} is furiko.{here}"), (
+            message
+        )
+        for named, arguments in re.findall(r"furiko\.(\w+)\(([^)]*)\)", message):
+            assert len(inspect.signature(getattr(furiko, named)).parameters) == len(arguments.split(",")) + 1
+        seen.add(name)
+    assert seen == set(furiko._SCIPY)
+    assert furiko._SCIPY.keys().isdisjoint(dir(furiko))
+    with pytest.raises(AttributeError, match=r"^module 'furiko' has no attribute 'ellipx'$"):
+        _ = furiko.ellipx
+    # Python adds no guess of its own to it.
+    run = subprocess.run(
+        [sys.executable, "-c", "import furiko; furiko.ellipj"], capture_output=True, text=True, check=False
+    )
+    assert run.stderr.splitlines()[-1].endswith("ph is furiko.jacobi_am_m(u, m)")
 
 
 def test_threads():
@@ -287,8 +365,21 @@ def test_motion():
     swinging = furiko.Pendulum(0.25).swinging(-1.0)
     assert near(swinging.angle(swinging.period / 4), -1, 4)
     assert furiko.Pendulum().started(0.0, 0.0).energy == -9.80665
+    assert repr(path) == f"<Motion with period {path.period!r} s and amplitude 1.0 rad>"
     assert np.isnan(furiko.Pendulum(length=-1.0).released(1.0).period)
     assert pickle.loads(pickle.dumps(path)).angle(0.125) == path.angle(0.125)
+
+
+def test_phase():
+    """From the bottom on in the direction of the start; from rest in that of growing angles"""
+    pendulum = furiko.Pendulum()
+    for angle, rate, way in ((1, 0, 1), (-1, 0, 1), (-1, 1, 1), (1, -1, -1), (1, -0.0, -1), (0.5, -20, -1)):
+        path = pendulum.started(angle, rate)
+        bottom = (1 - path.phase(0.0)) * path.period
+        assert abs(np.sin(path.angle(bottom))) < 1e-14
+        assert np.sign(path.rate(bottom)) == way
+    for angle, phase in ((1.0, 0.25), (-1.0, 0.75)):
+        assert near(pendulum.released(angle).phase(0.0), phase, 4)
 
 
 def test_steps():

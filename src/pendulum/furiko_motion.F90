@@ -66,4 +66,4 @@ module furiko_motion
    implicit none
    public
 end module furiko_motion
-! rooms: 3647892688
+! rooms: 2309583173

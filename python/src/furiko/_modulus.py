@@ -44,10 +44,10 @@ class Modulus(Value):
         amplitude: Optional[float] = None,
     ):
         forms = {"k": k, "m": m, "mc": mc, "alpha": alpha, "amplitude": amplitude}
-        given = [(form, number) for form, number in forms.items() if number is not None]
+        given = {form: number for form, number in forms.items() if number is not None}
         if len(given) != 1:
             raise TypeError("Modulus takes one of k, m, mc, alpha and amplitude")
-        self._fill(f"modulus_from_{given[0][0]}", given[0][1])
+        self._fill(f"modulus_from_{next(iter(given))}", "Modulus", **given)
 
     k = constant("modulus_k", "The modulus k; NaN for m < 0.")
     m = constant("modulus_m", "The parameter m = k^2.")

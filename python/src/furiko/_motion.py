@@ -7,7 +7,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ._library import library
-from ._routine import Out, Routine
+from ._routine import Out, Routine, number_of
 from ._value import Value, constant
 
 _angle = Routine("motion_angle", ("time",), heads=1)
@@ -35,9 +35,9 @@ class Motion(Value):
         raise TypeError("a Motion is made by a Pendulum: Pendulum(length=1.0).released(angle=0.5)")
 
     @classmethod
-    def _made(cls, start: str, *numbers: float) -> "Motion":
+    def _made(cls, start: str, pendulum: "Pendulum", **numbers: float) -> "Motion":
         self = cls.__new__(cls)
-        self._fill(f"motion_{start}", *numbers)
+        self._fill(f"motion_{start}", start, length=pendulum.length, gravity=pendulum.gravity, **numbers)
         return self
 
     period = constant("motion_period", "Of a full swing to and fro, or of a full turn, seconds; infinite in between.")
@@ -64,7 +64,11 @@ class Motion(Value):
         return _harmonic_angle(out, time, head=(self._value,))
 
     def phase(self, time: ArrayLike, *, out: Out = None) -> Any:
-        """The part of a period since the bottom was passed in the direction of the start, from 0 up to 1."""
+        """The part of a period since the bottom was passed in the direction of the start, from 0 up to 1.
+
+        That direction is the sign of the rate at the time 0; where it was 0, that of growing angles (of falling ones
+        where it was -0.0).
+        """
         return _phase(out, time, head=(self._value,))
 
     def time_to(self, angle: ArrayLike, *, out: Out = None) -> Any:
@@ -72,7 +76,7 @@ class Motion(Value):
         return _time_to(out, angle, head=(self._value,))
 
     def __repr__(self) -> str:
-        return f"<Motion with period {self.period!r} s and amplitude {self.amplitude!r}>"
+        return f"<Motion with period {self.period!r} s and amplitude {self.amplitude!r} rad>"
 
 
 @dataclass(frozen=True)
@@ -89,14 +93,18 @@ class Pendulum:
     length: float = 1.0
     gravity: float = 9.80665
 
+    def __post_init__(self) -> None:
+        number_of("Pendulum", "length", self.length)
+        number_of("Pendulum", "gravity", self.gravity)
+
     def released(self, angle: float) -> Motion:
         """At rest at an angle, radians, at the time 0."""
-        return Motion._made("released", self.length, self.gravity, angle)
+        return Motion._made("released", self, angle=angle)
 
     def swinging(self, amplitude: float) -> Motion:
         """Through the bottom at the time 0, up to an amplitude; a negative one swings to the other side first."""
-        return Motion._made("swinging", self.length, self.gravity, amplitude)
+        return Motion._made("swinging", self, amplitude=amplitude)
 
     def started(self, angle: float, rate: float) -> Motion:
         """Any angle, radians, and any rate, radians per second, at the time 0."""
-        return Motion._made("started", self.length, self.gravity, angle, rate)
+        return Motion._made("started", self, angle=angle, rate=rate)

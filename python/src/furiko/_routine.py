@@ -6,6 +6,7 @@ from ctypes import addressof, c_double, c_float, c_size_t, c_void_p, sizeof
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
+from numpy.ma import MaskedArray
 from numpy.typing import ArrayLike, NDArray
 
 from ._library import library, quick_library
@@ -23,16 +24,42 @@ READ = ["readonly", "contig"]
 WRITE = ["writeonly", "contig", "allocate", "no_broadcast", "no_subtype"]
 
 
-def kind_of(
-    name: str, arguments: Sequence[str], given: Sequence[ArrayLike], arrays: Sequence[NDArray[Any]]
-) -> np.dtype[Any]:
+def array_of(name: str, argument: str, given: ArrayLike) -> NDArray[Any]:
+    """An argument of the function `name` as an array of real numbers; anything else is a TypeError"""
+    if isinstance(given, MaskedArray):
+        raise TypeError(
+            f"{name}: {argument} is a masked array, whose mask would be lost: use np.ma.array(f(x.data), mask=x.mask)"
+        )
+    array = np.asarray(given)
+    if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
+        raise TypeError(f"{name}: {argument} is {_described(given, array)}, not real numbers of 64 or 32 bits")
+    return array
+
+
+def _described(given: Any, array: NDArray[Any]) -> str:
+    """What is not of real numbers, in words"""
+    if given is None:
+        return "None"
+    if array.dtype.kind in "UST":
+        return "an array of strings" if array.ndim else "a string"
+    if array.dtype.kind == "O":
+        return "an array of Python objects" if array.ndim else f"of type {type(given).__name__}"
+    return array.dtype.name
+
+
+def number_of(name: str, argument: str, given: ArrayLike) -> float:
+    """An argument of which there is only one number, with the same check"""
+    if type(given) in PYTHON:
+        return float(given)
+    array = array_of(name, argument, given)
+    if array.ndim:
+        raise TypeError(f"{name}: {argument} is an array of the shape {array.shape}, not one number")
+    return float(array)
+
+
+def kind_of(given: Sequence[ArrayLike], arrays: Sequence[NDArray[Any]]) -> np.dtype[Any]:
     """float32 or float64 by NumPy's rule, for numbers and arrays as they were given and as arrays"""
-    kinds = []
-    for argument, number, array in zip(arguments, given, arrays):
-        if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
-            raise TypeError(f"{name}: {argument} is {array.dtype.name}, not real numbers of 64 or 32 bits")
-        if type(number) not in PYTHON:
-            kinds.append(array.dtype)
+    kinds = [array.dtype for number, array in zip(given, arrays) if type(number) not in PYTHON]
     return np.result_type(FLOAT32, *kinds) if kinds else FLOAT64
 
 
@@ -102,10 +129,8 @@ class Routine:
             result = self.ones[kind](*head, *map(float, given))
             return self.values._make(map(kind.type, result)) if self.values else kind.type(result)
         outs = self._outs(out)
-        arrays = [np.asarray(argument) for argument in given]
-        kind = kind_of(self.name, self.arguments, given, arrays)
-        if self.heads:
-            kind = FLOAT64
+        arrays = [array_of(self.name, argument, number) for argument, number in zip(self.arguments, given)]
+        kind = FLOAT64 if self.heads else kind_of(given, arrays)
         count = len(arrays) + self.results
         flags = [READ] * len(arrays) + [WRITE] * self.results
         with np.nditer([*arrays, *outs], FLAGS, flags, [kind] * count, casting="same_kind") as blocks:
@@ -125,6 +150,7 @@ class Routine:
         if not isinstance(outs, tuple) or len(outs) != self.results:
             raise TypeError(f"{self.name}: out is not a tuple of {self.results} arrays")
         for array in outs:
-            if not isinstance(array, np.ndarray) and not (array is None and self.values):
+            is_array = isinstance(array, np.ndarray) and not isinstance(array, MaskedArray)
+            if not is_array and not (array is None and self.values):
                 raise TypeError(f"{self.name}: out is of type {type(array).__name__}, not an array")
         return outs

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._library import library
-from ._routine import KINDS, PYTHON, kind_of
+from ._routine import KINDS, PYTHON, array_of, kind_of, number_of
 
 
 class State(NamedTuple):
@@ -38,15 +38,16 @@ def _count(name: str, steps: int) -> int:
 def _pendulum(method: str, omega2: ArrayLike, h: float, steps: int, angle: ArrayLike, rate: ArrayLike) -> State:
     name = f"pendulum_{method}"
     given = (omega2, angle, rate)
-    arrays = [np.asarray(number) for number in given]
-    kind = kind_of(name, ("omega2", "angle", "rate"), given, arrays)
+    arrays = [array_of(name, argument, number) for argument, number in zip(("omega2", "angle", "rate"), given)]
+    kind = kind_of(given, arrays)
     suffix, number = KINDS[kind]
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     omegas, angles, rates = (np.array(np.broadcast_to(array, shape), kind, order="C") for array in arrays)
     function = library[f"furiko_{name}{'_same' if arrays[0].ndim == 0 else ''}{suffix}"]
     first = number(arrays[0]) if arrays[0].ndim == 0 else c_void_p(omegas.ctypes.data)
     starts = c_void_p(angles.ctypes.data), c_void_p(rates.ctypes.data)
-    function(c_size_t(angles.size), first, number(h), c_int(_count(name, steps)), *starts)
+    step = number(number_of(name, "h", h))
+    function(c_size_t(angles.size), first, step, c_int(_count(name, steps)), *starts)
     if angles.ndim:
         return State(angles, rates)
     return State(*(part.item() if set(map(type, given)) <= PYTHON else part[()] for part in (angles, rates)))
@@ -95,7 +96,7 @@ class _Callback:
     def put(self, at: int, to: int, *time: float) -> None:
         try:
             if not self.error:
-                change = np.asarray(self.f(*time, self.view(at).copy()))
+                change = array_of(self.name, "what f returns", self.f(*time, self.view(at).copy()))
                 if change.shape != self.shape:
                     raise ValueError(f"{self.name}: f returns the shape {change.shape}, not {self.shape}")
                 self.view(to)[...] = change
@@ -105,19 +106,18 @@ class _Callback:
             self.view(to)[...] = np.nan
 
 
-def _run(
-    name: str, f: Callable[..., ArrayLike], times: tuple[float, ...], h: float, steps: int, *states: ArrayLike
-) -> Any:
-    """The states after the steps; of rk4 with the time of the first"""
-    kind = kind_of(name, ("the state",) * len(states), states, [np.asarray(state) for state in states])
+def _run(name: str, f: Callable[..., ArrayLike], times: dict[str, float], steps: int, **states: ArrayLike) -> Any:
+    """The states after the steps; `times` are the step and, of rk4, before it the time of the first state"""
+    arrays = [array_of(name, argument, state) for argument, state in states.items()]
+    kind = kind_of(list(states.values()), arrays)
     suffix, number = KINDS[kind]
-    results = [np.array(state, kind, order="C") for state in np.broadcast_arrays(*states)]
+    results = [np.array(array, kind, order="C") for array in np.broadcast_arrays(*arrays)]
     callback = _Callback(name, f, results[0].shape, number)
-    if times:
+    if "t0" in times:
         given = CFUNCTYPE(None, number, c_void_p, c_void_p, c_void_p)(lambda t, y, dy, _: callback.put(y, dy, t))
     else:
         given = CFUNCTYPE(None, c_void_p, c_void_p, c_void_p)(lambda x, a, _: callback.put(x, a))
-    numbers = [number(time) for time in (*times, h)]
+    numbers = [number(number_of(name, argument, time)) for argument, time in times.items()]
     starts = [c_void_p(result.ctypes.data) for result in results]
     library[f"furiko_{name}{suffix}"](
         given, None, c_size_t(results[0].size), *numbers, c_int(_count(name, steps)), *starts
@@ -136,7 +136,7 @@ def rk4(f: Callable[[float, Any], ArrayLike], t0: float, h: float, steps: int, y
     >>> rk4(lambda t, y: [y[1], -y[0]], t0=0.0, h=0.01, steps=100, y=[0.0, 1.0])
     array([0.84147098, 0.54030231])
     """
-    return _run("rk4", f, (t0,), h, steps, y)[0]
+    return _run("rk4", f, {"t0": t0, "h": h}, steps, y=y)[0]
 
 
 def verlet(f: Callable[[Any], ArrayLike], h: float, steps: int, x: ArrayLike, v: ArrayLike) -> Coordinates:
@@ -147,9 +147,9 @@ def verlet(f: Callable[[Any], ArrayLike], h: float, steps: int, x: ArrayLike, v:
     >>> verlet(lambda x: -x, h=0.01, steps=100, x=[0.0], v=[1.0])
     Coordinates(x=array([0.84146272]), v=array([0.5402988]))
     """
-    return Coordinates(*_run("verlet", f, (), h, steps, x, v))
+    return Coordinates(*_run("verlet", f, {"h": h}, steps, x=x, v=v))
 
 
 def forest_ruth(f: Callable[[Any], ArrayLike], h: float, steps: int, x: ArrayLike, v: ArrayLike) -> Coordinates:
     """Forest and Ruth's steps for x'' = f(x), with the arguments of verlet: symplectic, of order h^4."""
-    return Coordinates(*_run("forest_ruth", f, (), h, steps, x, v))
+    return Coordinates(*_run("forest_ruth", f, {"h": h}, steps, x=x, v=v))

@@ -5,6 +5,7 @@ from ctypes import c_double, c_void_p
 from typing import Any
 
 from ._library import library, quick_library
+from ._routine import number_of
 from ._version import __version__
 
 
@@ -22,13 +23,13 @@ class Value:
     __slots__ = ("_value",)
     _bytes: int
 
-    def _fill(self, name: str, *numbers: float) -> None:
-        """By the function of this name from these numbers"""
-        function = library[f"furiko_{name}"]
+    def _fill(self, function_name: str, name: str, **numbers: float) -> None:
+        """By a function of C from these numbers; `name` is Python's, for errors"""
+        function = library[f"furiko_{function_name}"]
         function.argtypes = [c_void_p] + [c_double] * len(numbers)
         function.restype = None
         self._value = (c_double * (self._bytes // 8))()
-        function(self._value, *map(float, numbers))
+        function(self._value, *(number_of(name, argument, number) for argument, number in numbers.items()))
 
     def __getstate__(self) -> Any:
         return __version__, bytes(self._value)
