@@ -499,7 +499,8 @@ contains
             1.082839929917962_wp]
       real(wp), parameter :: ratios(6) = [4.67105_wp, 4.66435_wp, 4.66815_wp, 4.66894_wp, 4.669149_wp, &
          4.669190_wp]
-      real(wp), parameter :: last_digit(6) = [6.0e-6_wp, 6.0e-6_wp, 6.0e-6_wp, 6.0e-6_wp, 2.0e-6_wp, 4.0e-6_wp]
+      real(wp), parameter :: last_digit(6) = [6.0e-6_wp, 6.0e-6_wp, 6.0e-6_wp, 6.0e-6_wp, 2.0e-6_wp, &
+         4.0e-6_wp]
       real(wp), parameter :: feigenbaum = 4.669201609_wp
       real(wp) :: thresholds(merge(3, 8, quick)), gaps(size(thresholds) - 1)
       integer :: found, n
