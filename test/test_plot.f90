@@ -764,7 +764,7 @@ contains
       rest = svg(index(svg, ' d=''M') + len(' d=''M'):)
       rest = rest(:index(rest, '''') - 1)
       do i = 1, len(rest)
-         if (rest(i:i) == 'L') rest(i:i) = ' '
+         if (scan(rest(i:i), 'L' // achar(9) // nl) > 0) rest(i:i) = ' '
       end do
       at = verify(rest // 'M', '0123456789.,- ' // achar(9) // nl)
       allocate(numbers(2*count([(rest(i:i) == ',', i=1, at - 1)])))
