@@ -8,9 +8,8 @@
 !> Across the attractor, what is left of a start falls by exp(-5.8) in a period.
 module furiko_figure_driven
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko, only : rk4
+   use furiko, only : driven_orbit, driven_pendulum, driven_periods, driven_rk4, driven_section, driven_state
    use furiko_figure, only : amplitude, black, blue, broken, column, figure, fixed, orange, solid
-   use furiko_pendulum_rates_dp, only : driven_pendulum_rates
    implicit none
    private
    public :: driven_figure, poincare_figure
@@ -18,8 +17,6 @@ module furiko_figure_driven
 
    real(wp), parameter :: pi = acos(-1.0_wp)
    real(wp), parameter :: degree = pi/180
-   real(wp), parameter :: friction = 0.5_wp, nu = 2.0_wp/3.0_wp
-   real(wp), parameter :: period = 2*pi/nu
    !> An error of 1e-6 in a period, on either side of chaos
    integer, parameter :: steps = 240
    real(wp), parameter :: chaotic = 1.5_wp
@@ -63,25 +60,24 @@ contains
       integer, intent(in) :: cell
       type(figure), intent(inout) :: self
       integer, parameter :: every = 2
-      real(wp) :: state(2), states(2, periods*steps/every)
+      type(driven_state) :: state(1), states(periods*steps/every)
+      real(wp), dimension(size(states)) :: angle, rate
 
       call self%panel('angle <θ>  (degrees)', 'd<θ>/d<t>', &
          [-180.0_wp, 180.0_wp], [-3.0_wp, 3.0_wp], cell=[cell, 3, 1, 1])
       call self%say('set xtics 180; set ytics 1')
       call self%caption('<a> = ' // fixed(drive, 2) // ': ' // caption)
-      state = [0.2_wp, 0.0_wp]
-      call follow(drive, steps*forgotten, state)
-      call rk4(driven_pendulum_rates, [1.0_wp, friction, 0.0_wp, drive, nu], 0.0_wp, period/steps, &
-         every, state, &
-         states)
-      associate (angle => wrapped(states(1, :)), rate => states(2, :))
-         call self%add('orbit of a = ' // fixed(drive, 2), broken(angle, angle, 180.0_wp), &
-            broken(rate, angle, 180.0_wp))
-         call self%draw(blue, dash=solid)
-         call self%add('periods of a = ' // fixed(drive, 2), angle(steps/every::steps/every), &
-            rate(steps/every::steps/every))
-         call self%draw(orange, style='points pt 7 ps 0.7*scale')
-      end associate
+      state = driven_state(angle=0.2_wp)
+      call driven_periods(driven_rk4(steps), [driven_by(drive)], state, forgotten)
+      call driven_orbit(driven_rk4(steps), driven_by(drive), state(1), every, states)
+      angle = states%angle/degree
+      rate = states%rate
+      call self%add('orbit of a = ' // fixed(drive, 2), broken(angle, angle, 180.0_wp), &
+         broken(rate, angle, 180.0_wp))
+      call self%draw(blue, dash=solid)
+      call self%add('periods of a = ' // fixed(drive, 2), angle(steps/every::steps/every), &
+         rate(steps/every::steps/every))
+      call self%draw(orange, style='points pt 7 ps 0.7*scale')
       call self%plot()
    end subroutine add_orbit
 
@@ -91,21 +87,16 @@ contains
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
       integer, parameter :: starts = 400, forgotten = 5, kept = 3
-      real(wp), dimension(starts*kept) :: angle, rate
-      real(wp) :: state(2)
-      integer :: i, j
+      type(driven_state) :: state(starts), points(kept, starts)
+      real(wp), dimension(kept, starts) :: angle, rate
+      integer :: i
 
       associate (unused => amplitudes)
       end associate
-      do i = 1, starts
-         state = [-pi + 2*pi*i/starts, 0.0_wp]
-         call follow(chaotic, steps*forgotten, state)
-         do j = 1, kept
-            call follow(chaotic, steps, state)
-            angle((i - 1)*kept + j) = wrapped(state(1))
-            rate((i - 1)*kept + j) = state(2)
-         end do
-      end do
+      state = [(driven_state(angle=-pi + 2*pi*i/starts), i=1, starts)]
+      call driven_section(driven_rk4(steps), spread(driven_by(chaotic), 1, starts), state, forgotten, points)
+      angle = points%angle/degree
+      rate = points%rate
       call begin_driven(self, 'Angle and angular rate of a chaotic driven pendulum at the beginning of ' // &
          'periods of the drive: 1200 points that lie on thin layers, folded into each other, the ' // &
          'strange attractor.')
@@ -115,29 +106,17 @@ contains
       call self%say('set xtics 45; set ytics 1')
       call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + 1.5 cos(2<t>/3), once a ' // &
          'period of the drive')
-      call self%add('section', angle, rate)
+      call self%add('section', pack(angle, .true.), pack(rate, .true.))
       call self%draw(black, style='points pt 7 ps 0.25*scale')
       call self%plot()
    end subroutine poincare_figure
 
 
-   !> So many steps, from the beginning of a period of the drive
-   subroutine follow(drive, count, state)
+   elemental function driven_by(drive) result(pendulum)
       real(wp), intent(in) :: drive
-      integer, intent(in) :: count
-      real(wp), intent(inout) :: state(2)
+      type(driven_pendulum) :: pendulum
 
-      call rk4(driven_pendulum_rates, [1.0_wp, friction, 0.0_wp, drive, nu], 0.0_wp, period/steps, &
-         count, state)
-   end subroutine follow
-
-
-   !> An angle in degrees, within half a turn
-   elemental function wrapped(angle) result(degrees)
-      real(wp), intent(in) :: angle
-      real(wp) :: degrees
-
-      degrees = (angle - 2*pi*anint(angle/(2*pi)))/degree
-   end function wrapped
+      pendulum = driven_pendulum(damping=0.5_wp, amplitude=drive, frequency=2.0_wp/3.0_wp)
+   end function driven_by
 
 end module furiko_figure_driven
