@@ -411,61 +411,47 @@ contains
       do i = 1, size(facts)
          call get_fact(file, facts(i), good)
          if (.not. good) return
-         select case (facts(i)%name)
-         case ('subject')
-            asked%subject = facts(i)%text
-         case ('method')
-            asked%method = facts(i)%text
-         case ('vary')
-            asked%vary = findloc(constants == facts(i)%text, .true., 1)
-         case ('steps', 'points', 'transient', 'periods', 'chunk')
-            call set_whole(asked, facts(i)%name, facts(i)%whole)
-         case default
-            if (allocated(facts(i)%number)) call set_number(asked, facts(i)%name, facts(i)%number)
-         end select
+         call take(facts(i), asked)
       end do
       good = asked%vary > 0 .and. asked%points > 0 .and. asked%chunk > 0 .and. asked%periods > 0
    end subroutine read_sweep
 
 
-   subroutine set_whole(asked, name, value)
+   !> What a fact says of a sweep; compiler, version and the like say nothing
+   subroutine take(given, asked)
+      type(fact), intent(in) :: given
       type(sweep), intent(inout) :: asked
-      character(len=*), intent(in) :: name
-      integer(int64), intent(in) :: value
 
-      select case (name)
+      select case (given%name)
+      case ('subject')
+         asked%subject = given%text
+      case ('method')
+         asked%method = given%text
+      case ('vary')
+         asked%vary = findloc(constants == given%text, .true., 1)
       case ('steps')
-         asked%steps = int(value)
+         asked%steps = int(given%whole)
       case ('points')
-         asked%points = value
+         asked%points = given%whole
       case ('transient')
-         asked%transient = int(value)
+         asked%transient = int(given%whole)
       case ('periods')
-         asked%periods = int(value)
-      case default
-         asked%chunk = int(value)
-      end select
-   end subroutine set_whole
-
-
-   subroutine set_number(asked, name, value)
-      type(sweep), intent(inout) :: asked
-      character(len=*), intent(in) :: name
-      real(wp), intent(in) :: value
-
-      select case (name)
+         asked%periods = int(given%whole)
+      case ('chunk')
+         asked%chunk = int(given%whole)
       case ('start_angle_degrees')
-         asked%angle = value
+         asked%angle = given%number
       case ('start_rate')
-         asked%rate = value
+         asked%rate = given%number
       case ('from')
-         asked%from = value
+         asked%from = given%number
       case ('to')
-         asked%to = value
+         asked%to = given%number
       case default
-         where (constants == name(:index(name // '_', '_') - 1)) asked%constant = value
+         if (.not. allocated(given%number)) return
+         where (constants == given%name(:index(given%name // '_', '_') - 1)) asked%constant = given%number
       end select
-   end subroutine set_number
+   end subroutine take
 
 
    !> Open the file of a sweep to write numbers, all processes together
