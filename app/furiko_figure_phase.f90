@@ -32,6 +32,8 @@ contains
       call self%panel('angle <θ>  (degrees)', 'angular rate  d<θ>/d<t> / √(<g>/<l>)', &
          [-180.0_wp, 180.0_wp], [-3.4_wp, 3.4_wp])
       call self%say('set xtics 45; set ytics 1')
+      ! Below the curves: an orbit of a degree is smaller than the disc
+      call mark_fixed_points(self, labelled=.true.)
       call add_separatrix(self, labelled=.true.)
       do i = 1, size(amplitudes)
          call add_libration(amplitudes(i), self)
@@ -43,7 +45,6 @@ contains
             call add_rotation(rotations(i), angle(145:1:-1), -rate, 'to the left', self)
          end associate
       end do
-      call mark_fixed_points(self, labelled=.true.)
       call self%plot()
    end subroutine phase_figure
 
