@@ -313,16 +313,16 @@ def page(old):
 PLOT = """
 set terminal svg size 720,480 font 'sans-serif,14' background '#ffffff'
 set output '{output}'
-set title 'The model: efficiency of lyapunov against nodes, 500 + 100 periods of 96 steps'
+set title 'The model, of lyapunov with 500 + 100 periods of 96 steps'
 set xlabel 'nodes of 2 × 64 cores'
 set ylabel 'efficiency, %'
 set logscale x
-set format x '10^{{%T}}'
+set xtics ('1' 1, '10' 10, '100' 100, '1,000' 1000, '10,000' 10000)
 set yrange [0:105]
 set grid linecolor '#dddddd'
 set border 3
 set tics nomirror
-set key outside bottom center horizontal
+set key left bottom Left reverse width -4 spacing 1.2
 plot {curves}
 """
 
