@@ -28,11 +28,14 @@ int ensemble_open(const char *path, int writing, int *descriptor)
    return *descriptor < 0 ? errno : 0;
 }
 
+/* The lock is of one byte that no file has: MPI-IO by ROMIO locks the bytes that it writes, and would wait for ever. */
+static const struct flock far_byte = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)1 << 62, .l_len = 1};
+
 /* A lock of the open file, since a lock of the process would end as soon as HDF5 closes the file once.
  * -1: another process has it. */
 int ensemble_lock(int descriptor)
 {
-   struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+   struct flock lock = far_byte;
    if (fcntl(descriptor, F_OFD_SETLK, &lock) == 0)
       return 0;
    return errno == EAGAIN || errno == EACCES ? -1 : errno;
@@ -40,7 +43,7 @@ int ensemble_lock(int descriptor)
 
 int ensemble_is_locked(int descriptor)
 {
-   struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+   struct flock lock = far_byte;
    return fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
