@@ -1,0 +1,136 @@
+! SPDX-License-Identifier: MIT
+
+!> The numbers of a chunk, by the library's procedures.
+module furiko_ensemble_compute
+   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use furiko, only : driven_attractors, driven_basins, driven_exponents, driven_locking, driven_pendulum, &
+      driven_periods, driven_scheme, driven_section, driven_state, driven_winding
+   use furiko_ensemble_sweep, only : quantity, scheme_of, sweep, take_members, tolerance
+   implicit none
+   private
+   public :: compute, find_attractors
+
+
+contains
+
+
+   !> The results of a chunk
+   subroutine compute(asked, scheme, chunk, results)
+      type(sweep), intent(in) :: asked
+      type(driven_scheme), intent(in) :: scheme
+      integer(int64), intent(in) :: chunk
+      type(quantity), intent(inout) :: results(:)
+      type(driven_pendulum), allocatable :: pendulum(:)
+      type(driven_state), allocatable :: state(:)
+      real(wp), allocatable :: values(:)
+      integer :: n
+
+      call take_members(asked, chunk, values, pendulum, state)
+      n = size(state)
+      if (allocated(results(1)%reals)) results(1)%reals(1, :n) = values
+      select case (asked%subject)
+      case ('section', 'bifurcation')
+         call compute_sections(asked, scheme, pendulum, state, results)
+      case ('lyapunov')
+         call compute_exponents(asked, scheme, pendulum, state, results)
+      case ('winding')
+         call compute_winding(asked, scheme, pendulum, state, results)
+      case default
+         call compute_basins(asked, scheme, pendulum(1), state, results)
+      end select
+      results(size(results))%wholes(1, :n) = state%status
+   end subroutine compute
+
+
+   subroutine compute_sections(asked, scheme, pendulum, state, results)
+      type(sweep), intent(in) :: asked
+      type(driven_scheme), intent(in) :: scheme
+      type(driven_pendulum), intent(in) :: pendulum(:)
+      type(driven_state), intent(inout) :: state(:)
+      type(quantity), intent(inout) :: results(:)
+      type(driven_state) :: points(1, size(state))
+      integer :: i
+
+      call driven_periods(scheme, pendulum, state, asked%transient)
+      do i = 1, asked%periods
+         call driven_section(scheme, pendulum, state, 0, points)
+         results(2)%reals(i, :size(state)) = points(1, :)%angle
+         results(3)%reals(i, :size(state)) = points(1, :)%rate
+         ! One number for each period of a section, the last one of a bifurcation diagram
+         results(4)%wholes(min(i, results(4)%rows), :size(state)) = points(1, :)%turns
+      end do
+   end subroutine compute_sections
+
+
+   subroutine compute_exponents(asked, scheme, pendulum, state, results)
+      type(sweep), intent(in) :: asked
+      type(driven_scheme), intent(in) :: scheme
+      type(driven_pendulum), intent(in) :: pendulum(:)
+      type(driven_state), intent(inout) :: state(:)
+      type(quantity), intent(inout) :: results(:)
+      real(wp) :: exponents(2, size(state))
+
+      call driven_exponents(scheme, pendulum, state, asked%transient, asked%periods, exponents, &
+         results(4)%reals(1, :size(state)))
+      results(2)%reals(1, :size(state)) = exponents(1, :)
+      results(3)%reals(1, :size(state)) = exponents(2, :)
+   end subroutine compute_exponents
+
+
+   !> By counting, and exactly where a member is locked
+   subroutine compute_winding(asked, scheme, pendulum, state, results)
+      type(sweep), intent(in) :: asked
+      type(driven_scheme), intent(in) :: scheme
+      type(driven_pendulum), intent(in) :: pendulum(:)
+      type(driven_state), intent(inout) :: state(:)
+      type(quantity), intent(inout) :: results(:)
+      real(wp), parameter :: same = 1.0e-6_wp
+      integer :: period(size(state))
+
+      associate (winding => results(2)%reals(1, :size(state)), turns => results(3)%wholes(1, :size(state)))
+         call driven_winding(scheme, pendulum, state, asked%transient, asked%periods, winding)
+         call driven_locking(scheme, pendulum, state, asked%cycle, same, period, turns)
+         where (period > 0) winding = real(turns, wp)/period
+      end associate
+      results(4)%wholes(1, :size(state)) = period
+   end subroutine compute_winding
+
+
+   subroutine compute_basins(asked, scheme, pendulum, state, results)
+      type(sweep), intent(in) :: asked
+      type(driven_scheme), intent(in) :: scheme
+      type(driven_pendulum), intent(in) :: pendulum
+      type(driven_state), intent(inout) :: state(:)
+      type(quantity), intent(inout) :: results(:)
+      integer, dimension(size(state)) :: arrival, basin
+
+      call driven_basins(scheme, pendulum, state, asked%attractor, asked%label, tolerance, asked%periods, &
+         basin, arrival)
+      results(1)%wholes(1, :size(state)) = basin
+      results(2)%wholes(1, :size(state)) = arrival
+   end subroutine compute_basins
+
+
+   !> The attractors to which 256 starts come, of all angles and of the rates that are asked for
+   subroutine find_attractors(asked)
+      type(sweep), intent(inout) :: asked
+      integer, parameter :: side = 16, most_points = 1024
+      type(sweep) :: starts
+      type(driven_pendulum), allocatable :: pendulum(:)
+      type(driven_state), allocatable :: state(:)
+      type(driven_state) :: points(most_points)
+      real(wp), allocatable :: values(:)
+      integer :: label(most_points), found
+
+      starts = asked
+      starts%grid = side
+      starts%points = side**2
+      starts%chunk = side**2
+      starts%angles = [-180.0_wp, 180.0_wp]
+      call take_members(starts, 0_int64, values, pendulum, state)
+      call driven_attractors(scheme_of(asked), pendulum(1), state, asked%transient, asked%cycle, points, &
+         label, found)
+      asked%attractor = points(:count(label > 0))
+      asked%label = label(:count(label > 0))
+   end subroutine find_attractors
+end module furiko_ensemble_compute
