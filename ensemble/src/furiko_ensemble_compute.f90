@@ -5,7 +5,7 @@ module furiko_ensemble_compute
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : driven_attractors, driven_basins, driven_exponents, driven_locking, driven_pendulum, &
       driven_periods, driven_scheme, driven_section, driven_state, driven_winding
-   use furiko_ensemble_sweep, only : quantity, scheme_of, sweep, take_members, tolerance
+   use furiko_ensemble_sweep, only : in_range, quantity, scheme_of, sweep, take_members, tolerance
    implicit none
    private
    public :: compute, find_attractors
@@ -57,7 +57,7 @@ contains
          results(2)%reals(i, :size(state)) = points(1, :)%angle
          results(3)%reals(i, :size(state)) = points(1, :)%rate
          ! One number for each period of a section, the last one of a bifurcation diagram
-         results(4)%wholes(min(i, results(4)%rows), :size(state)) = points(1, :)%turns
+         results(4)%wholes(min(i, results(4)%rows), :size(state)) = in_range(points(1, :)%turns)
       end do
    end subroutine compute_sections
 
@@ -86,12 +86,14 @@ contains
       type(quantity), intent(inout) :: results(:)
       real(wp), parameter :: same = 1.0e-6_wp
       integer :: period(size(state))
+      integer(int64) :: turns(size(state))
 
-      associate (winding => results(2)%reals(1, :size(state)), turns => results(3)%wholes(1, :size(state)))
+      associate (winding => results(2)%reals(1, :size(state)))
          call driven_winding(scheme, pendulum, state, asked%transient, asked%periods, winding)
          call driven_locking(scheme, pendulum, state, asked%cycle, same, period, turns)
          where (period > 0) winding = real(turns, wp)/period
       end associate
+      results(3)%wholes(1, :size(state)) = in_range(turns)
       results(4)%wholes(1, :size(state)) = period
    end subroutine compute_winding
 

@@ -4,7 +4,7 @@
 !> to and from a dataset.
 module furiko_ensemble_hdf5
    use, intrinsic :: iso_c_binding, only : c_char, c_f_pointer, c_loc, c_null_char, c_ptr
-   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use, intrinsic :: iso_fortran_env, only : int32, int64, wp => real64
    use furiko_ensemble_facts, only : fact, text_fact
    use furiko_ensemble_sweep, only : quantity
    use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aopen_f, h5aread_f, &
@@ -12,7 +12,7 @@ module furiko_ensemble_hdf5
       h5dwrite_f, h5eset_auto_f, h5kind_to_type, h5open_f, h5p_dataset_create_f, h5pclose_f, h5pcreate_f, &
       h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_obj_track_times_f, h5s_scalar_f, h5s_select_or_f, &
       h5sclose_f, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5sselect_none_f, &
-      h5t_ieee_f64le, h5t_std_i64le, h5t_string, hid_t, hsize_t
+      h5t_ieee_f64le, h5t_std_i32le, h5t_std_i64le, h5t_string, hid_t, hsize_t
    implicit none
    private
    public :: begin_hdf5, get_fact, kind_in_file, move_numbers, move_run, put_dataset, put_fact, put_text, run
@@ -66,7 +66,7 @@ contains
       integer(hid_t) :: kind
 
       kind = h5t_ieee_f64le
-      if (allocated(one%wholes)) kind = h5t_std_i64le
+      if (allocated(one%wholes)) kind = h5t_std_i32le
    end function kind_in_file
 
 
@@ -83,7 +83,7 @@ contains
          call move_run(dataset, where, h5kind_to_type(wp, h5_real_kind), c_loc(one%reals), writes, transfer, &
             failed)
       else
-         call move_run(dataset, where, h5kind_to_type(int64, h5_integer_kind), c_loc(one%wholes), writes, &
+         call move_run(dataset, where, h5kind_to_type(int32, h5_integer_kind), c_loc(one%wholes), writes, &
             transfer, failed)
       end if
    end subroutine move_numbers

@@ -20,8 +20,6 @@ module furiko_ensemble_layout
 
 
    character(len=*), parameter :: done_name = 'progress/done', session_name = 'progress/session'
-   !> Bytes of a number
-   integer(int64), parameter :: size_of_number = 8
 
 
 contains
@@ -57,24 +55,24 @@ contains
       if (any(errors < 0) .or. any(offsets < 0)) return
       failed = 0
       do i = 1, size(all)
-         if (failed == 0) call reserve(asked, all(i)%rows, offsets(i), descriptor, part, parts, failed)
+         if (failed == 0) call reserve(asked, width_of(all(i)), offsets(i), descriptor, part, parts, failed)
       end do
    end subroutine fill_new
 
 
    !> Room for the numbers of a quantity
-   subroutine reserve(asked, rows, offset, descriptor, part, parts, failed)
+   subroutine reserve(asked, width, offset, descriptor, part, parts, failed)
       type(sweep), intent(in) :: asked
-      integer, intent(in) :: rows
+      !> Bytes a member
+      integer(int64), intent(in) :: width
       !> Where they begin in the file
       integer(int64), intent(in) :: offset
       integer(c_int), intent(in) :: descriptor
       integer, intent(in) :: part
       integer, intent(in) :: parts
       integer(c_int), intent(out) :: failed
-      integer(int64) :: chunk, width
+      integer(int64) :: chunk
 
-      width = rows*size_of_number
       if (parts == 1) then
          failed = file_reserve(descriptor, offset, asked%points*width)
          return
@@ -86,6 +84,15 @@ contains
          if (failed /= 0) exit
       end do
    end subroutine reserve
+
+
+   !> Bytes that a member has of a quantity
+   pure function width_of(one) result(bytes)
+      type(quantity), intent(in) :: one
+      integer(int64) :: bytes
+
+      bytes = one%rows*merge(4_int64, 8_int64, allocated(one%wholes))
+   end function width_of
 
 
    subroutine put_progress(file, asked)

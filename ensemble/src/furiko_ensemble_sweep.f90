@@ -9,7 +9,7 @@ module furiko_ensemble_sweep
    implicit none
    private
    public :: sweep, quantity, attractor_quantities, chunks, chunks_of, constants, first_member, &
-      given_attractors, member_extents, members_of, quantities, same_attractors, scales, scheme_of, subjects, &
+      given_attractors, in_range, member_extents, members_of, quantities, same_attractors, scales, scheme_of, subjects, &
       take_attractors, take_members, tolerance
 
 
@@ -63,7 +63,8 @@ module furiko_ensemble_sweep
    end type sweep
 
 
-   !> One kind of result: a column of `rows` numbers for each member
+   !> One kind of result: a column of `rows` numbers for each member; whole numbers in 32 bits, since Paraview
+   !> reads no others
    type :: quantity
       character(len=:), allocatable :: name
       character(len=:), allocatable :: units
@@ -73,7 +74,7 @@ module furiko_ensemble_sweep
       logical :: each_period = .false.
       !> The numbers of a chunk, (rows, members); the other one is not allocated
       real(wp), allocatable :: reals(:, :)
-      integer(int64), allocatable :: wholes(:, :)
+      integer, allocatable :: wholes(:, :)
    end type quantity
 
 
@@ -154,9 +155,11 @@ contains
       select case (asked%subject)
       case ('section')
          all = [reals(asked, 'start_angle', 'rad', 'where the member starts'), sections(asked), &
-            wholes(asked, 'turns', 'whole turns since the start, at the end of a period', .true.)]
+            wholes(asked, 'turns', 'whole turns since the start, at the end of a period; up to 2^31', &
+            .true.)]
       case ('bifurcation')
-         all = [value, sections(asked), wholes(asked, 'turns', 'whole turns since the start, after the last period')]
+         all = [value, sections(asked), wholes(asked, 'turns', 'whole turns since the start, after the last ' // &
+            'period; up to 2^31')]
       case ('lyapunov')
          all = [value, reals(asked, 'exponent_1', frequency, 'larger Lyapunov exponent'), &
             reals(asked, 'exponent_2', frequency, 'smaller Lyapunov exponent'), &
@@ -198,7 +201,7 @@ contains
          all(2)%reals = reshape([(cell_angle(asked, i), i=0, asked%grid(1) - 1)], [all(2)%rows, 1])
       else if (any(asked%subject == [character(len=11) :: 'section', 'bifurcation'])) then
          one = quantity('period', '1', 'periods of the drive since the start', asked%periods)
-         one%wholes = reshape([(int(asked%transient, int64) + j, j=1, asked%periods)], [one%rows, 1])
+         one%wholes = reshape([(asked%transient + j, j=1, asked%periods)], [one%rows, 1])
          all = [one]
       end if
    end function scales
@@ -216,7 +219,7 @@ contains
          quantity('turns', '1', 'whole turns by then', points), &
          quantity('angle', 'rad', 'from the bottom', points), quantity('rate', frequency, 'of the angle', points)]
       do i = 1, 4
-         all(i)%wholes = reshape([(int(j, int64), j=1, points)], [points, 1])
+         all(i)%wholes = reshape([(j, j=1, points)], [points, 1])
       end do
       allocate(all(5)%reals(points, 1), all(6)%reals(points, 1), source=0.0_wp)
    end function attractor_quantities
@@ -231,7 +234,7 @@ contains
       all = attractor_quantities(size(asked%label))
       all(2)%wholes(:, 1) = asked%label
       all(3)%wholes(:, 1) = [(count(asked%label == asked%label(i)), i=1, size(asked%label))]
-      all(4)%wholes(:, 1) = asked%attractor%turns
+      all(4)%wholes(:, 1) = in_range(asked%attractor%turns)
       all(5)%reals(:, 1) = asked%attractor%angle
       all(6)%reals(:, 1) = asked%attractor%rate
    end function given_attractors
@@ -290,8 +293,17 @@ contains
       one = quantity(name, '1', about)
       if (present(each_period)) one%each_period = each_period
       if (one%each_period) one%rows = asked%periods
-      allocate(one%wholes(one%rows, asked%chunk), source=0_int64)
+      allocate(one%wholes(one%rows, asked%chunk), source=0)
    end function wholes
+
+
+   !> Turns as the file holds them, in 32 bits, since Paraview reads no more: 2^31 stands for more than that.
+   elemental function in_range(turns) result(number)
+      integer(int64), intent(in) :: turns
+      integer :: number
+
+      number = int(max(min(turns, int(huge(number), int64)), -int(huge(number), int64)))
+   end function in_range
 
 
    !> Members of a chunk at their starts, and what tells them apart in one direction
