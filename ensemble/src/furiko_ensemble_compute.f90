@@ -3,12 +3,12 @@
 !> The numbers of a chunk, by the library's procedures.
 module furiko_ensemble_compute
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko, only : driven_attractors, driven_basins, driven_exponents, driven_locking, driven_pendulum, &
-      driven_periods, driven_scheme, driven_section, driven_state, driven_winding
-   use furiko_ensemble_sweep, only : in_range, quantity, scheme_of, sweep, take_members, tolerance
+   use furiko, only : driven_basins, driven_exponents, driven_locking, driven_pendulum, driven_periods, &
+      driven_scheme, driven_section, driven_state, driven_winding
+   use furiko_ensemble_sweep, only : in_range, quantity, sweep, take_members, tolerance
    implicit none
    private
-   public :: compute, find_attractors
+   public :: compute
 
 
 contains
@@ -111,28 +111,4 @@ contains
       results(1)%wholes(1, :size(state)) = basin
       results(2)%wholes(1, :size(state)) = arrival
    end subroutine compute_basins
-
-
-   !> The attractors to which 256 starts come, of all angles and of the rates that are asked for
-   subroutine find_attractors(asked)
-      type(sweep), intent(inout) :: asked
-      integer, parameter :: side = 16, most_points = 1024
-      type(sweep) :: starts
-      type(driven_pendulum), allocatable :: pendulum(:)
-      type(driven_state), allocatable :: state(:)
-      type(driven_state) :: points(most_points)
-      real(wp), allocatable :: values(:)
-      integer :: label(most_points), found
-
-      starts = asked
-      starts%grid = side
-      starts%points = side**2
-      starts%chunk = side**2
-      starts%angles = [-180.0_wp, 180.0_wp]
-      call take_members(starts, 0_int64, values, pendulum, state)
-      call driven_attractors(scheme_of(asked), pendulum(1), state, asked%transient, asked%cycle, points, &
-         label, found)
-      asked%attractor = points(:count(label > 0))
-      asked%label = label(:count(label > 0))
-   end subroutine find_attractors
 end module furiko_ensemble_compute

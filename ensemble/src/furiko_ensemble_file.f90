@@ -5,13 +5,13 @@
 module furiko_ensemble_file
    use, intrinsic :: iso_c_binding, only : c_int, c_loc
    use, intrinsic :: iso_fortran_env, only : int8, int64, wp => real64
+   use furiko_ensemble_attractors, only : attractor_quantities, find_attractors, take_attractors
    use furiko_ensemble_communicator, only : access_together, process, transfer_together, wait_for_all
-   use furiko_ensemble_compute, only : find_attractors
    use furiko_ensemble_facts, only : fact, fact_text, facts_of, take_fact
    use furiko_ensemble_hdf5, only : get_fact, move_numbers, move_run, run
    use furiko_ensemble_layout, only : done_name, fill_new, session_name
-   use furiko_ensemble_sweep, only : attractor_quantities, chunks, first_member, member_extents, members_of, &
-      quantities, quantity, sweep, take_attractors
+   use furiko_ensemble_sweep, only : chunks, first_member, member_extents, members_of, quantities, quantity, &
+      sweep
    use furiko_ensemble_system, only : exists, file_lock, file_open, file_remove, file_rename, file_sync, &
       is_locked, reason, to_make, to_read, to_write
    use hdf5, only : h5_integer_kind, h5_real_kind, h5dclose_f, h5dget_space_f, h5dopen_f, &
@@ -25,7 +25,7 @@ module furiko_ensemble_file
 
 
    !> Marks that are in memory at a time
-   integer(int64), parameter :: piece = 2_int64**16
+   integer(int64), parameter :: piece = 2_int64**13
 
 
    !> An open file

@@ -6,10 +6,11 @@
 module furiko_ensemble_layout
    use, intrinsic :: iso_c_binding, only : c_int
    use, intrinsic :: iso_fortran_env, only : int64
+   use furiko_ensemble_attractors, only : given_attractors
    use furiko_ensemble_facts, only : fact, facts_of
    use furiko_ensemble_hdf5, only : kind_in_file, move_numbers, put_dataset, put_fact, put_text, run
-   use furiko_ensemble_sweep, only : chunks, first_member, given_attractors, member_extents, members_of, &
-      quantities, quantity, scales, sweep
+   use furiko_ensemble_sweep, only : chunks, first_member, member_extents, members_of, quantities, quantity, &
+      scales, sweep
    use furiko_ensemble_system, only : file_reserve
    use h5ds, only : h5dsattach_scale_f, h5dsset_scale_f
    use hdf5, only : h5dclose_f, h5dget_offset_f, h5f_acc_trunc_f, h5fclose_f, h5fcreate_f, h5gclose_f, &
@@ -38,8 +39,9 @@ contains
       type(fact), allocatable :: facts(:)
       integer(int64), allocatable :: offsets(:)
       integer(hid_t) :: file
-      integer :: errors(2), i
+      integer :: errors(3), i
 
+      errors = 0
       all = quantities(asked)
       allocate(offsets(size(all)))
       facts = facts_of(asked)
@@ -48,9 +50,9 @@ contains
          call put_fact(file, facts(i))
       end do
       call put_progress(file, asked)
-      if (asked%subject == 'basins') call put_attractors(file, asked)
-      call put_quantities(file, asked, all, offsets)
-      call h5fclose_f(file, errors(2))
+      if (asked%subject == 'basins') call put_attractors(file, asked, errors(2))
+      call put_quantities(file, asked, all, offsets, errors(2))
+      call h5fclose_f(file, errors(3))
       failed = -1
       if (any(errors < 0) .or. any(offsets < 0)) return
       failed = 0
@@ -123,19 +125,20 @@ contains
 
 
    !> The points of all attractors, one after another
-   subroutine put_attractors(file, asked)
+   subroutine put_attractors(file, asked, worst)
       integer(hid_t), intent(in) :: file
       type(sweep), intent(in) :: asked
+      integer, intent(inout) :: worst
       type(quantity), allocatable :: all(:)
       integer(hid_t) :: dataset, direction
       integer :: failed, i
 
       call put_group(file, 'attractors')
       all = given_attractors(asked)
-      call put_known(file, 'attractors/' // all(1)%name, all(1), direction)
+      call put_known(file, 'attractors/' // all(1)%name, all(1), direction, worst)
       call h5dsset_scale_f(direction, failed, all(1)%name)
       do i = 2, size(all)
-         call put_known(file, 'attractors/' // all(i)%name, all(i), dataset)
+         call put_known(file, 'attractors/' // all(i)%name, all(i), dataset, worst)
          call h5dsattach_scale_f(dataset, direction, 1, failed)
          call h5dclose_f(dataset, failed)
       end do
@@ -144,11 +147,13 @@ contains
 
 
    !> A dataset in one direction whose numbers are known
-   subroutine put_known(file, name, one, dataset)
+   subroutine put_known(file, name, one, dataset, worst)
       integer(hid_t), intent(in) :: file
       character(len=*), intent(in) :: name
       type(quantity), intent(in) :: one
       integer(hid_t), intent(out) :: dataset
+      !> Below 0 from the first one on that cannot be written
+      integer, intent(inout) :: worst
       type(quantity) :: copy
       integer(int64) :: n
       integer :: failed
@@ -156,7 +161,9 @@ contains
       copy = one
       n = one%rows
       call put_dataset(file, name, kind_in_file(one), [n], dataset)
-      call move_numbers(dataset, run([integer(int64) ::], [n], 0_int64, n), copy, .true., h5p_default_f, failed)
+      call move_numbers(dataset, run([integer(int64) ::], [n], 0_int64, n), copy, .true., h5p_default_f, &
+         failed)
+      worst = min(worst, failed)
       call put_text(dataset, 'long_name', one%about)
       call put_text(dataset, 'units', one%units)
    end subroutine put_known
@@ -164,11 +171,12 @@ contains
 
    !> The quantities, with names for their directions, and where in the file they begin. Directions are
    !> counted as C does, members first.
-   subroutine put_quantities(file, asked, all, offsets)
+   subroutine put_quantities(file, asked, all, offsets, worst)
       integer(hid_t), intent(in) :: file
       type(sweep), intent(in) :: asked
       type(quantity), intent(in) :: all(:)
       integer(int64), intent(out) :: offsets(:)
+      integer, intent(inout) :: worst
       type(quantity), allocatable :: known(:)
       integer(hid_t) :: dataset(size(all))
       integer(hid_t), allocatable :: directions(:)
@@ -177,7 +185,7 @@ contains
       known = scales(asked)
       allocate(directions(size(known)))
       do i = 1, size(known)
-         call put_known(file, known(i)%name, known(i), directions(i))
+         call put_known(file, known(i)%name, known(i), directions(i), worst)
          call h5dsset_scale_f(directions(i), failed, known(i)%name)
       end do
       do i = 1, size(all)

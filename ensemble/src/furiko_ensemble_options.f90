@@ -48,7 +48,7 @@ module furiko_ensemble_options
       option('--chunk', '4096', 'members that are computed, written and marked together'), &
       option('--part', '1/1', 'p/P: only the p-th of P parts of the chunks, without MPI'), &
       option('--points', '', 'members: how many values, or starts of a section', started), &
-      option('--angle', '0', 'at the time 0, degrees; of a section the first of starts all around', started), &
+      option('--angle', '0', 'at the time 0, degrees; the first one of a section''s starts', started), &
       option('--rate', '0', 'at the time 0', started), &
       option('--vary', 'drive', 'damping, quadratic, torque, drive, frequency or phase (rad)', varied), &
       option('--from', '', 'its first value', varied), &
@@ -179,11 +179,13 @@ contains
             s%grid = int(both, int64)
             s%points = product(s%grid)
             s%angles = pair_of(text_of('--angles'), ',')
-            if (.not. (s%angles(1) < s%angles(2) .and. maxval(abs(s%angles)) <= 360)) call reject('--angles', &
-               'LOW,HIGH, LOW < HIGH, -360 to 360 degrees')
+            if (.not. (s%angles(1) < s%angles(2) .and. maxval(abs(s%angles)) <= 360)) then
+               call reject('--angles', 'LOW,HIGH, LOW < HIGH, -360 to 360 degrees')
+            end if
             s%rates = pair_of(text_of('--rates'), ',')
-            if (.not. (s%rates(1) < s%rates(2) .and. maxval(abs(s%rates)) <= 2.0_wp**20)) call reject('--rates', &
-               'LOW,HIGH, LOW < HIGH, up to 2^20')
+            if (.not. (s%rates(1) < s%rates(2) .and. maxval(abs(s%rates)) <= 2.0_wp**20)) then
+               call reject('--rates', 'LOW,HIGH, LOW < HIGH, up to 2^20')
+            end if
          end associate
       end subroutine take_plane
 

@@ -8,9 +8,8 @@ module furiko_ensemble_sweep
       driven_phase, driven_quadratic, driven_rk4, driven_scheme, driven_set, driven_state, driven_torque
    implicit none
    private
-   public :: sweep, quantity, attractor_quantities, chunks, chunks_of, constants, first_member, &
-      given_attractors, in_range, member_extents, members_of, quantities, same_attractors, scales, scheme_of, subjects, &
-      take_attractors, take_members, tolerance
+   public :: sweep, quantity, chunks, chunks_of, constants, first_member, in_range, member_extents, &
+      members_of, quantities, scales, scheme_of, subjects, take_members, tolerance
 
 
    character(len=*), parameter :: subjects(5) = [character(len=11) :: 'section', 'bifurcation', 'lyapunov', &
@@ -151,15 +150,15 @@ contains
       type(quantity), allocatable :: all(:)
       type(quantity) :: value
 
-      value = reals(asked, trim(constants(asked%vary)), trim(units(asked%vary)), 'the constant that is varied')
+      value = reals(asked, trim(constants(asked%vary)), trim(units(asked%vary)), &
+         'the constant that is varied')
       select case (asked%subject)
       case ('section')
          all = [reals(asked, 'start_angle', 'rad', 'where the member starts'), sections(asked), &
-            wholes(asked, 'turns', 'whole turns since the start, at the end of a period; up to 2^31', &
-            .true.)]
+            wholes(asked, 'turns', 'whole turns since the start, at the end of a period; up to 2^31', .true.)]
       case ('bifurcation')
-         all = [value, sections(asked), wholes(asked, 'turns', 'whole turns since the start, after the last ' // &
-            'period; up to 2^31')]
+         all = [value, sections(asked), &
+            wholes(asked, 'turns', 'whole turns since the start, after the last period; up to 2^31')]
       case ('lyapunov')
          all = [value, reals(asked, 'exponent_1', frequency, 'larger Lyapunov exponent'), &
             reals(asked, 'exponent_2', frequency, 'smaller Lyapunov exponent'), &
@@ -205,67 +204,6 @@ contains
          all = [one]
       end if
    end function scales
-
-
-   !> Points of attractors, by number
-   function attractor_quantities(points) result(all)
-      integer, intent(in) :: points
-      type(quantity) :: all(6)
-      integer :: i, j
-
-      all = [quantity('point', '1', 'of all attractors, one after another', points), &
-         quantity('label', '1', 'the attractor to which the point belongs', points), &
-         quantity('cycle', '1', 'periods of the drive until it comes again', points), &
-         quantity('turns', '1', 'whole turns by then', points), &
-         quantity('angle', 'rad', 'from the bottom', points), quantity('rate', frequency, 'of the angle', points)]
-      do i = 1, 4
-         all(i)%wholes = reshape([(j, j=1, points)], [points, 1])
-      end do
-      allocate(all(5)%reals(points, 1), all(6)%reals(points, 1), source=0.0_wp)
-   end function attractor_quantities
-
-
-   !> Attractors as quantities
-   function given_attractors(asked) result(all)
-      type(sweep), intent(in) :: asked
-      type(quantity) :: all(6)
-      integer :: i
-
-      all = attractor_quantities(size(asked%label))
-      all(2)%wholes(:, 1) = asked%label
-      all(3)%wholes(:, 1) = [(count(asked%label == asked%label(i)), i=1, size(asked%label))]
-      all(4)%wholes(:, 1) = in_range(asked%attractor%turns)
-      all(5)%reals(:, 1) = asked%attractor%angle
-      all(6)%reals(:, 1) = asked%attractor%rate
-   end function given_attractors
-
-
-   !> The other way
-   subroutine take_attractors(all, asked)
-      type(quantity), intent(in) :: all(6)
-      type(sweep), intent(inout) :: asked
-
-      asked%label = int(all(2)%wholes(:, 1))
-      if (allocated(asked%attractor)) deallocate(asked%attractor)
-      allocate(asked%attractor(size(asked%label)))
-      asked%attractor%turns = all(4)%wholes(:, 1)
-      asked%attractor%angle = all(5)%reals(:, 1)
-      asked%attractor%rate = all(6)%reals(:, 1)
-   end subroutine take_attractors
-
-
-   !> Whether two sweeps match against the same points
-   function same_attractors(a, b) result(same)
-      type(sweep), intent(in) :: a
-      type(sweep), intent(in) :: b
-      logical :: same
-
-      same = a%subject /= 'basins'
-      if (same) return
-      same = size(a%label) == size(b%label)
-      if (same) same = all(a%label == b%label) .and. .not. any(abs(a%attractor%angle - b%attractor%angle) > 0 &
-         .or. abs(a%attractor%rate - b%attractor%rate) > 0)
-   end function same_attractors
 
 
    pure function reals(asked, name, units, about, each_period) result(one)

@@ -20,8 +20,9 @@ module furiko_ensemble_table
    integer, parameter :: whole = 1, places = 2, powers = 3
 
    type :: column
-      !> With its unit, and as the quantity of the file; two names where the members' directions are no results
+      !> With its unit
       character(len=12) :: name
+      !> The quantity of the file
       character(len=12) :: from
       integer :: style
       !> Decimal places, or digits

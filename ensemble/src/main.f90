@@ -4,15 +4,17 @@
 program main
    use, intrinsic :: iso_fortran_env, only : error_unit, int64, output_unit, wp => real64
    use furiko, only : driven_scheme
+   use furiko_ensemble_attractors, only : same_attractors
    use furiko_ensemble_communicator, only : begin_processes, broadcast, end_processes, give_up, highest, &
       process, processes
    use furiko_ensemble_compute, only : compute
-   use furiko_ensemble_file, only : close_file, difference, ensemble_file, hold_file, is_done, mark_chunk, &
-      open_file, open_to_look, read_chunk, read_session, write_chunk, write_session
+   use furiko_ensemble_file, only : close_file, difference, ensemble_file, hold_file, mark_chunk, open_file, &
+      open_to_look, read_chunk, read_session, write_chunk, write_session
    use furiko_ensemble_hdf5, only : begin_hdf5
    use furiko_ensemble_options, only : read_request, request, usage
    use furiko_ensemble_progress, only : progress, progress_line
-   use furiko_ensemble_sweep, only : chunks_of, quantities, quantity, same_attractors, scheme_of, sweep
+   use furiko_ensemble_shares, only : count_chunks, count_done, source_of, take_next
+   use furiko_ensemble_sweep, only : chunks_of, quantities, quantity, scheme_of, sweep
    use furiko_ensemble_system, only : begin_system, end_system, seconds
    use furiko_ensemble_table, only : write_table
    implicit none
@@ -144,7 +146,8 @@ contains
       many = processes()
       this = process()
       allocate(of_each(many))
-      call count_chunks(file, sources, part, parts, found, before, of_each)
+      call count_chunks(file, sources, part, parts, found, before, of_each, trouble)
+      call demand(trouble)
       results = quantities(asked)
       scheme = scheme_of(asked)
       all_of_part = chunks_of(asked, part, parts)
@@ -178,77 +181,6 @@ contains
    end subroutine fill
 
 
-   !> How many chunks are there, in all and of this part, and how many of this part each process has to do
-   subroutine count_chunks(file, sources, part, parts, found, of_part, of_each)
-      type(ensemble_file), intent(inout) :: file
-      type(ensemble_file), intent(inout) :: sources(:)
-      integer, intent(in) :: part
-      integer, intent(in) :: parts
-      integer(int64), intent(out) :: found
-      integer(int64), intent(out) :: of_part
-      integer(int64), intent(out) :: of_each(:)
-      integer(int64) :: chunk
-      integer :: i, owner
-
-      found = 0
-      of_part = 0
-      of_each = 0
-      do chunk = 0, file%chunks - 1
-         if (is_done(file, chunk)) then
-            found = found + 1
-            if (modulo(chunk, int(parts, int64)) == part - 1) of_part = of_part + 1
-         else if (modulo(chunk, int(parts, int64)) == part - 1 .and. can_be_done(sources, chunk)) then
-            owner = int(modulo(chunk/parts, size(of_each, kind=int64))) + 1
-            of_each(owner) = of_each(owner) + 1
-         end if
-      end do
-      if (file%unreadable) call demand(file%path // ': cannot be read')
-      do i = 1, size(sources)
-         if (sources(i)%unreadable) call demand(sources(i)%path // ': cannot be read')
-      end do
-   end subroutine count_chunks
-
-
-   !> The next chunk to do from `next` on, and where to look for the one after it
-   subroutine take_next(file, sources, stride, next, chunk)
-      type(ensemble_file), intent(inout) :: file
-      type(ensemble_file), intent(inout) :: sources(:)
-      integer(int64), intent(in) :: stride
-      integer(int64), intent(inout) :: next
-      integer(int64), intent(out) :: chunk
-
-      do
-         chunk = next
-         next = next + stride
-         if (.not. is_done(file, chunk) .and. can_be_done(sources, chunk)) return
-      end do
-   end subroutine take_next
-
-
-   !> Without files to copy from, every chunk can be computed.
-   function can_be_done(sources, chunk)
-      type(ensemble_file), intent(inout) :: sources(:)
-      integer(int64), intent(in) :: chunk
-      logical :: can_be_done
-
-      can_be_done = size(sources) == 0
-      if (.not. can_be_done) can_be_done = source_of(sources, chunk) > 0
-   end function can_be_done
-
-
-   !> The first of the files that has a chunk; 0 for none
-   function source_of(sources, chunk) result(i)
-      type(ensemble_file), intent(inout) :: sources(:)
-      integer(int64), intent(in) :: chunk
-      integer :: i
-
-      do i = 1, size(sources)
-         if (is_done(sources(i), chunk)) return
-      end do
-      i = 0
-   end function source_of
-
-
    !> What a file says of itself: `ensemble status FILE`
    subroutine tell(path)
       character(len=*), intent(in) :: path
@@ -261,7 +193,8 @@ contains
 
       call open_to_look(path, file, asked, running, trouble)
       call demand(trouble)
-      found = found_in(file)
+      call count_done(file, found, trouble)
+      call demand(trouble)
       session = read_session(file)
       if (.not. running) session = 0.0_wp
       line = progress_line(found, file%chunks, int(session(1), int64), asked%chunk, session(2))
@@ -276,17 +209,6 @@ contains
    end subroutine tell
 
 
-   !> How many chunks a file has
-   function found_in(file) result(found)
-      type(ensemble_file), intent(inout) :: file
-      integer(int64) :: found
-      type(ensemble_file) :: none(0)
-      integer(int64) :: of_part, of_each(1)
-
-      call count_chunks(file, none, 1, 1, found, of_part, of_each)
-   end function found_in
-
-
    !> What a file has, as CSV: `ensemble table FILE`
    subroutine show_table(path)
       character(len=*), intent(in) :: path
@@ -298,7 +220,8 @@ contains
 
       call open_to_look(path, file, asked, running, trouble)
       call demand(trouble)
-      found = found_in(file)
+      call count_done(file, found, trouble)
+      call demand(trouble)
       if (found < file%chunks) write(error_unit, '(a, i0, a, i0, a)') 'ensemble: ' // path // ': ', found, &
          ' of ', file%chunks, ' chunks are done; the table has these'
       call write_table(file, asked, trouble)
