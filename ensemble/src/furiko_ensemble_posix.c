@@ -78,6 +78,21 @@ int ensemble_exists(const char *path) { return access(path, F_OK) < 0 ? errno : 
 
 int ensemble_is_terminal(int descriptor) { return isatty(descriptor); }
 
+/* All of it to standard output */
+int ensemble_write(const char *text, long long bytes)
+{
+   while (bytes > 0) {
+      const ssize_t written = write(1, text, bytes);
+      if (written < 0 && errno != EINTR)
+         return errno;
+      if (written > 0) {
+         text += written;
+         bytes -= written;
+      }
+   }
+   return 0;
+}
+
 void ensemble_why(int number, char *text, int size) { snprintf(text, size, "%s", strerror(number)); }
 
 /* Ends at once: HDF5 is not asked to write what it could not write before. */
