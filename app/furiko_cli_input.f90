@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> Standard input or a file line by line, in constant memory; what one read of it has brought is there at once.
+!> Standard input or a file line by line, in constant memory; what one read of it has brought is there at
+!> once.
 module furiko_cli_input
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_intptr_t, c_size_t
    use furiko_cli_io, only : cannot, quit

@@ -87,13 +87,13 @@ contains
          driven_figure), &
          entry('poincare', 'section of a chaotic driven pendulum, once a period of the drive', '', 0, &
             poincare_figure, 'section'), &
-         entry('bifurcation', 'angles of driven pendulums against the drive: cycles to chaos', '', 0, &
+         entry('bifurcation', 'angles of driven pendulums against a constant: cycles, chaos', '', 0, &
             bifurcation_figure, 'bifurcation'), &
-         entry('basins', 'which of two rotations each start of a driven pendulum comes to', '', 0, &
+         entry('basins', 'which attractor each start of a driven pendulum comes to', '', 0, &
             basins_figure, 'basins'), &
-         entry('staircase', 'winding number against torque: steps locked to the drive', '', 0, &
+         entry('staircase', 'winding number of driven pendulums: steps locked to the drive', '', 0, &
             staircase_figure, 'winding'), &
-         entry('exponents', 'Lyapunov exponent of driven pendulums against the drive', '', 0, &
+         entry('exponents', 'Lyapunov exponent of driven pendulums against a constant', '', 0, &
             exponents_figure, 'lyapunov')]
    end function all_figures
 
@@ -114,8 +114,8 @@ contains
          option('--title', 'TEXT', '', 'a line above the picture'), &
          option('--amplitude', 'LIST', '', 'amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad'), &
          option('--from', 'FILE', '', 'poincare, bifurcation, basins, staircase or exponents: draw what ' // &
-            'furiko driven section, bifurcation, basins, winding or lyapunov has written with --format csv ' // &
-            '(- is standard input), or a sweep of ensemble, by its HDF5 file'), &
+            'furiko driven section, bifurcation, basins, winding or lyapunov has written with ' // &
+            '--format csv (- is standard input), or the HDF5 file of a sweep by ensemble'), &
          option('--data', about='leave the data (.csv, with units and this command) and the script ' // &
             '(.gp) beside FILE')], run=plot_command)
    end function plot_usage

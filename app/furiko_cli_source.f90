@@ -26,7 +26,7 @@ module furiko_cli_source
    type :: source
       private
       !> As messages call it, and as the user typed it
-      character(len=:), allocatable :: name
+      character(len=:), allocatable, public :: name
       character(len=:), allocatable :: file
       type(line_input) :: input
       type(c_ptr) :: stream = c_null_ptr
@@ -121,8 +121,8 @@ contains
       if (.not. found) return
       associate (line => self%input%text(self%input%first:self%input%last))
          call split(line, fields(:self%width), count)
-         if (count /= self%width) call self%complain_of('has ' // whole_text(count) // ' fields, the header ' // &
-            whole_text(self%width))
+         if (count /= self%width) call self%complain_of('has ' // whole_text(count) // &
+            ' fields, the header ' // whole_text(self%width))
          do i = 1, size(x)
             if (self%columns(i) == 0) then
                call read_number('nan', x(i), verdict)
@@ -146,8 +146,11 @@ contains
       do
          call self%input%next_line(found)
          if (found) then
-            if (self%input%last - self%input%first >= longest_line) call self%complain_of('is no row: it is too long')
-            if (.not. is_skipped(self%input%text(self%input%first:self%input%last))) return
+            associate (line => self%input%text(self%input%first:self%input%last))
+               if (len(line) > longest_line) call self%complain_of('is longer than ' // &
+                  whole_text(longest_line) // ' characters')
+               if (.not. is_skipped(line)) return
+            end associate
          else if (self%input%at_end) then
             call close_stream(self)
             return
@@ -171,8 +174,8 @@ contains
       allocate(self%columns(size(wanted)), source=0)
       associate (line => self%input%text(self%input%first:self%input%last))
          call split(line, fields, self%width)
-         if (self%width > most_columns) call self%complain_of('has more than ' // whole_text(most_columns) // &
-            ' columns')
+         if (self%width > most_columns) call self%complain_of('has more than ' // &
+            whole_text(most_columns) // ' columns')
          self%first_name = line(fields(1)%first:fields(1)%last)
          do i = 1, size(wanted)
             if (wanted(i) == '') self%columns(i) = 1
@@ -184,12 +187,20 @@ contains
          end do
       end associate
       ! The name becomes an axis's label
-      if (verify(self%first_name, letters) > 0 .or. len(self%first_name) > longest_name .or. &
-         verify(self%first_name(:min(1, len(self%first_name))), letters(:52)) > 0) &
-         call self%complain_of('does not begin with the name of a column')
+      if (.not. is_name(self%first_name)) call self%complain_of('does not begin with the name of a column')
       if (any(wanted == '') .and. any(wanted == self%first_name)) call self%complain_of( &
          'has no first column of what was varied')
    end subroutine read_header
+
+
+   !> A letter, then letters, figures and _
+   pure function is_name(text)
+      character(len=*), intent(in) :: text
+      logical :: is_name
+
+      is_name = len(text) > 0 .and. len(text) <= longest_name .and. verify(text, letters) == 0
+      if (is_name) is_name = verify(text(1:1), letters(:52)) == 0
+   end function is_name
 
 
    subroutine complain_of(self, what)
@@ -215,7 +226,8 @@ contains
       if (path(1:1) == '-') path = './' // path
       self%input = line_input()
       self%input%name = self%file
-      self%stream = c_popen(start // "'" // replaced(path, "'", "'\''") // "'" // c_null_char, 'r' // c_null_char)
+      self%stream = c_popen(start // "'" // replaced(path, "'", "'\''") // "'" // c_null_char, &
+         'r' // c_null_char)
       if (.not. c_associated(self%stream)) then
          call cannot('start ensemble')
          call quit(2)
@@ -234,8 +246,8 @@ contains
       if (.not. c_associated(self%stream)) return
       if (self%piped) then
          stat = c_pclose(self%stream)
-         if (stat == not_found) call refuse('furiko plot: ' // self%name // ' is an HDF5 file, and there is no ' // &
-            'ensemble here to read it; make -C ensemble builds it (doc/ensemble.md)')
+         if (stat == not_found) call refuse('furiko plot: ' // self%name // ' is an HDF5 file, and ' // &
+            'there is no ensemble here to read it; make -C ensemble builds it (doc/ensemble.md)')
          if (stat /= 0) call quit(2)
       else
          stat = c_fclose(self%stream)

@@ -84,13 +84,14 @@ contains
       class(store), intent(inout) :: self
       real(wp), intent(out) :: row(:)
       logical, intent(out) :: found
-      integer :: at, stat
+      integer :: at, length, stat
 
       found = self%next <= self%rows
       if (.not. found) return
       at = int(modulo(self%next - 1, int(most_rows, int64))) + 1
       if (at == 1 .and. self%blocks > 0) then
-         read(self%unit, iostat=stat) self%block(:, :int(min(self%rows - self%next + 1, int(most_rows, int64))))
+         length = int(min(self%rows - self%next + 1, int(most_rows, int64)))
+         read(self%unit, iostat=stat) self%block(:, :length)
          if (stat /= 0) call fail('a temporary file')
       end if
       row = self%block(:, at)

@@ -301,8 +301,8 @@ contains
       call move_alloc(longer, self%strokes)
 
       call begin_drawing(self)
-      self%drawn = self%drawn // ' using ' // to_text(x) // ':3 with ' // look // ' lc rgb ' // colours(pen) // " title '" // &
-         self%curves(this%which)%name // "'"
+      self%drawn = self%drawn // ' using ' // to_text(x) // ':3 with ' // look // ' lc rgb ' // &
+         colours(pen) // " title '" // self%curves(this%which)%name // "'"
    end subroutine draw
 
 

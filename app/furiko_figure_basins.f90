@@ -54,16 +54,16 @@ contains
       if (self%from == '') then
          call compute_basins(self%pixels()/2, points, label, rows)
       else
-         call read_table(self%from, [character(len=9) :: 'angle_rad', 'rate', 'attractor', 'arrival'], 3, rows, &
-            ignored)
+         call read_table(self%from, [character(len=9) :: 'angle_rad', 'rate', 'attractor', 'arrival'], 3, &
+            rows, ignored)
       end if
       call measure(rows, self%from, starts)
       call self%begin([angle_column, column('rate_over_sqrt_g_by_l', 'angular rate over sqrt(g/l)'), &
          column('attractor', 'the number of the attractor that it comes to, 0 for none'), &
          column('arrival', 'periods of the drive until then, -1 for never')], &
-         'Basins of attraction of a driven pendulum: a plane of starts, angle against angular rate, each in ' // &
-         'the colour of the attractor that it comes to, paler where it takes longer, and grey where it ' // &
-         'comes to none. The basins lie in folded layers beside each other.')
+         'Basins of attraction of a driven pendulum: a plane of starts, angle against angular rate, ' // &
+         'each in the colour of the attractor that it comes to, paler where it takes longer, and ' // &
+         'grey where it comes to none. The basins lie in folded layers beside each other.')
       call self%panel('angle <θ> at the start  (degrees)', 'angular rate  d<θ>/d<t> / √(<g>/<l>)', &
          starts%angles, starts%rates, cell=[1, 1, 1, 1])
       if (all(abs(abs(starts%angles) - 180) < 1.0_wp)) call self%say('set xtics 45')
@@ -145,8 +145,8 @@ contains
          if (modulo(i - 1, starts%across) == 0) first = row
          whole = whole .and. .not. abs(row(2) - first(2)) > 0.0_wp
       end do
-      if (.not. whole) call refuse('furiko plot: --from ' // file // ': its rows are no grid of angles for ' // &
-         'each of some rates, two or more of each')
+      if (.not. whole) call refuse('furiko plot: --from ' // file // ': its rows are no grid of ' // &
+         'angles for each of some rates, two or more of each')
       starts%angles = edges(extent(:, 1), starts%across)/degree
       starts%rates = edges(extent(:, 2), starts%up)
 
@@ -184,12 +184,16 @@ contains
       do i = 0, rows%rows - 1
          call rows%take(row, found)
          associate (x => int(modulo(i, starts%across)*cells(1)/starts%across) + 1, &
-            y => int(i/starts%across*cells(2)/starts%up) + 1, own => max(0, min(nint(row(3)), size(pens) + 1)))
-            image(x, y, :) = [own, nint(max(-1.0_wp, min(row(4), 1.0e9_wp)))]
+            y => int(i/starts%across*cells(2)/starts%up) + 1, &
+            own => nint(max(0.0_wp, min(row(3), size(pens) + 1.0_wp))))
+            image(x, y, :) = [own, 0]
+            if (abs(row(4)) < 1.0e9_wp) image(x, y, 2) = nint(row(4))
             members(own) = members(own) + 1
          end associate
       end do
-      self%script = self%script // colours_by(quantile(image(:, :, 2), 0.02_wp), quantile(image(:, :, 2), 0.98_wp))
+      associate (arrival => image(:, :, 2))
+         self%script = self%script // colours_by(quantile(arrival, 0.02_wp), quantile(arrival, 0.98_wp))
+      end associate
       call self%image('basins', middles(starts%angles, cells(1)), middles(starts%rates, cells(2)), image, &
          ':(part($4, $5, 16)):(part($4, $5, 8)):(part($4, $5, 0)) with rgbimage')
       call add_key(members, starts, names, self)
@@ -277,8 +281,8 @@ contains
 
       do i = 1, maxval(label)
          associate (own => label == i)
-            call self%add('points of attractor ' // to_text(i), pack(points%angle, own)/degree, pack(points%rate, own), &
-               more=spread([real(i, wp), 0.0_wp], 1, count(own)))
+            call self%add('points of attractor ' // to_text(i), pack(points%angle, own)/degree, &
+               pack(points%rate, own), more=spread([real(i, wp), 0.0_wp], 1, count(own)))
             call self%draw(black, style='points pt 7 ps 0.9*scale')
          end associate
       end do

@@ -3,7 +3,8 @@
 !> Points so many that their density is drawn: a bifurcation diagram and a section, cell by cell of the paper.
 module furiko_figure_density
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko, only : driven_is_near, driven_order8, driven_pendulum, driven_periods, driven_section, driven_state
+   use furiko, only : driven_is_near, driven_order8, driven_pendulum, driven_periods, driven_section, &
+      driven_state
    use furiko_cli_store, only : begin_store, store
    use furiko_figure, only : amplitude, column, figure
    use furiko_figure_table, only : axis_of, extent_of, padded, read_table
@@ -49,13 +50,13 @@ contains
       call self%begin([column(varied, 'what was varied'), angle_column, &
          column('points', 'points of the section in the cell'), &
          column('shade', '100 for the fullest cell of its column, 0 for none')], &
-         'A bifurcation diagram: the angles of a driven pendulum at the beginning of periods of the drive, ' // &
-         'against a constant, ' // varied // '. Thin lines are cycles, one for each period; they fork and ' // &
-         'fork again, and end in bands of chaos, darker where the pendulum comes by more often.')
+         'A bifurcation diagram: the angles of a driven pendulum at the beginning of periods of the ' // &
+         'drive, against a constant, ' // varied // '. Thin lines are cycles, one line for each period; ' // &
+         'grey bands are chaos, darker where the pendulum comes by more often.')
       call self%panel(axis_of(varied), 'angle <θ>  (degrees)', extent(:, 1) + half*[-1, 1], &
          angle_range(extent(:, 2)/degree), cell=[1, 1, 1, 1])
-      if (self%from == '') call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + <g> cos(2<t>/3), ' // &
-         'once a period of the drive')
+      if (self%from == '') call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + ' // &
+         '<g> cos(2<t>/3), once a period of the drive')
       call add_density(self, rows, [1.0_wp, degree], extent(:, 1) + half*[-1, 1], &
          angle_range(extent(:, 2)/degree), cells, by_column=.true.)
       call self%plot()

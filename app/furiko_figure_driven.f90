@@ -135,8 +135,9 @@ contains
          column('rate_over_sqrt_g_by_l', 'angular rate over sqrt(g/l)'), &
          column('points', 'points of the section in the cell'), &
          column('shade', 'up to 100 for the fullest cells, 0 for none')], &
-         'Angle and angular rate of driven pendulums at the beginning of periods of the drive, darker where ' // &
-         'they come by more often. Of a chaotic one the points lie on thin layers, folded into each other.')
+         'Angle and angular rate of driven pendulums at the beginning of periods of the drive, darker ' // &
+         'where they come by more often. Of a chaotic one the points lie on thin layers, ' // &
+         'folded into each other.')
       call self%panel('angle <θ>  (degrees)', 'angular rate  d<θ>/d<t> / √(<g>/<l>)', angles, rates, &
          cell=[1, 1, 1, 1])
       if (angles(2) - angles(1) > 359) call self%say('set xtics 45')

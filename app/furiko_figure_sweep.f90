@@ -38,10 +38,10 @@ contains
       if (self%from /= '') call read_table(self%from, [character(len=7) :: '', 'winding'], 2, rows, varied)
       call extent_of(rows, extent, ignored)
       call begin_sweep(self, varied, column('winding', 'turns to a period of the drive'), extent, &
-         'winding number  (turns a period)', 'The winding number of a driven pendulum, turns to a period of ' // &
-         'the drive, against a constant, ' // varied // ': a devil''s staircase. Thick horizontal lines are ' // &
-         'steps on which the pendulum is locked to the drive and the number is a fraction; the dots ' // &
-         'between them are not locked, or locked on steps too narrow to see.')
+         'winding number  (turns a period)', 'The winding number of a driven pendulum, turns to a ' // &
+         'period of the drive, against a constant, ' // varied // ': a devil''s staircase. Thick ' // &
+         'horizontal lines are steps on which the pendulum is locked to the drive and the number is a ' // &
+         'fraction; the dots between them are not locked, or locked on steps too narrow to see.')
       if (self%from == '') call self%caption( &
          'd^2<θ>/d<t>^2 = −sin <θ> − 1.5 d<θ>/d<t> + <I> + 1.5 cos <t>')
       call thin(rows, self%pixels(), extent(:, 1), x, w)
@@ -65,15 +65,19 @@ contains
       end associate
       varied = 'drive'
       if (self%from == '') call compute_exponents(size_of_family(self)/2, rows)
-      if (self%from /= '') call read_table(self%from, [character(len=10) :: '', 'exponent_1'], 2, rows, varied)
+      if (self%from /= '') call read_table(self%from, [character(len=10) :: '', 'exponent_1'], 2, rows, &
+         varied)
       call extent_of(rows, extent, ignored)
       extent(:, 2) = [min(extent(1, 2), 0.0_wp), max(extent(2, 2), 0.0_wp)]
-      call begin_sweep(self, varied, column('exponent', 'the larger Lyapunov exponent, in units of sqrt(g/l)'), &
-         extent, 'Lyapunov exponent  <λ> / <ω>_0', 'The larger Lyapunov exponent of a driven pendulum ' // &
-         'against a constant, ' // varied // '. Below zero neighbours come together, and the motion is ' // &
-         'periodic; above it, where the area is filled, they part, and it is chaotic.')
+      call begin_sweep(self, varied, column('exponent', 'the larger Lyapunov exponent over ' // &
+         'sqrt(g/l)'), extent, 'Lyapunov exponent  <λ> / <ω>_0', &
+         'The larger Lyapunov exponent of a driven pendulum against a constant, ' // varied // &
+         '. Below zero neighbours come together, and the motion is periodic; above it, ' // &
+         'where the area is filled, they part, and it is chaotic.')
       if (self%from == '') call self%caption( &
          'd^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + <g> cos(2<t>/3)')
+      ! Two decimals would reach into the axis's label
+      if (abs(extent(2, 2) - extent(1, 2) - 0.6_wp) < 0.4_wp) call self%say('set ytics 0.1')
       call thin(rows, self%pixels(), extent(:, 1), x, exponent)
       call self%add('chaos', x, max(exponent, 0.0_wp))
       call self%draw(orange, style='filledcurves y=0 fs solid 0.35 noborder')

@@ -16,16 +16,16 @@ module furiko_figure_table
    !> Constants as `furiko driven` calls them, and their symbols of doc/driven.md
    character(len=*), parameter :: constants(*) = [character(len=9) :: 'damping', 'quadratic', 'torque', &
       'drive', 'frequency', 'phase']
-   character(len=*), parameter :: labels(*) = [character(len=40) :: 'damping  <b>', 'quadratic damping  <c>', &
-      'torque  <I>', 'amplitude of the drive  <g>', 'frequency of the drive  <Ω>', &
+   character(len=*), parameter :: labels(*) = [character(len=40) :: 'damping  <b>', &
+      'quadratic damping  <c>', 'torque  <I>', 'amplitude of the drive  <g>', 'frequency of the drive  <Ω>', &
       'phase of the drive  <φ>  (rad)']
 
 
 contains
 
 
-   !> The rows of a file, of the columns asked for as in [[open_source]]. Those with a NaN, of members that ran
-   !> away, are left out, and how many is said.
+   !> The rows of a file, of the columns asked for as in [[open_source]]. Those with a NaN, of members that
+   !> ran away, are left out, and how many is said.
    subroutine read_table(file, wanted, needed, rows, first_name)
       character(len=*), intent(in) :: file
       character(len=*), intent(in) :: wanted(:)
@@ -50,9 +50,9 @@ contains
             left_out = left_out + 1
          end if
       end do
-      if (rows%rows == 0) call refuse('furiko plot: --from ' // file // ' has no row of numbers')
-      if (left_out > 0) call complain('furiko plot: --from ' // file // ': rows of NaN, of members that ran away, are left out: ' // &
-         whole_text(left_out))
+      if (rows%rows == 0) call refuse('furiko plot: ' // table%name // ' has no row of numbers')
+      if (left_out > 0) call complain('furiko plot: ' // table%name // ': rows of NaN, of ' // &
+         'members that ran away, are left out: ' // whole_text(left_out))
    end subroutine read_table
 
 
