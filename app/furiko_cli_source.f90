@@ -109,7 +109,7 @@ contains
    end subroutine open_source
 
 
-   !> The next row's wanted columns, NaN for one that is not there. `found` is false behind the last row.
+   !> The next row's wanted columns, 0 for one that is not there. `found` is false behind the last row.
    subroutine next_row(self, x, found)
       class(source), intent(inout) :: self
       real(wp), intent(out) :: x(:)
@@ -119,15 +119,13 @@ contains
 
       call self%next_line(found)
       if (.not. found) return
+      x = 0.0_wp
       associate (line => self%input%text(self%input%first:self%input%last))
          call split(line, fields(:self%width), count)
          if (count /= self%width) call self%complain_of('has ' // whole_text(count) // &
             ' fields, the header ' // whole_text(self%width))
          do i = 1, size(x)
-            if (self%columns(i) == 0) then
-               call read_number('nan', x(i), verdict)
-               cycle
-            end if
+            if (self%columns(i) == 0) cycle
             associate (place => fields(self%columns(i)))
                call read_number(line(place%first:place%last), x(i), verdict)
                if (verdict /= is_right) call self%complain_of("'" // line(place%first:min(place%last, &

@@ -186,8 +186,7 @@ contains
          associate (x => int(modulo(i, starts%across)*cells(1)/starts%across) + 1, &
             y => int(i/starts%across*cells(2)/starts%up) + 1, &
             own => nint(max(0.0_wp, min(row(3), size(pens) + 1.0_wp))))
-            image(x, y, :) = [own, 0]
-            if (abs(row(4)) < 1.0e9_wp) image(x, y, 2) = nint(row(4))
+            image(x, y, :) = [own, nint(max(-1.0_wp, min(row(4), 1.0e9_wp)))]
             members(own) = members(own) + 1
          end associate
       end do
@@ -242,19 +241,24 @@ contains
       type(grid), intent(in) :: starts
       character(len=*), intent(in) :: names(:)
       type(figure), intent(inout) :: self
-      real(wp), parameter :: above = 14.0_wp, apart = 24.0_wp
+      real(wp), parameter :: above = 14.0_wp, apart = 16.0_wp, room = 158.0_wp
       character(len=:), allocatable :: text
       integer :: frame(2), i
       real(wp) :: at
+      logical :: crowded
 
       frame = self%pixels()
+      crowded = count(members > 0)*(room + apart) > frame(1)
       at = 0.0_wp
       do i = 1, size(members)
          associate (which => modulo(i, size(members)))
             if (members(which) == 0) cycle
             text = 'grey: none'
             if (which > 0) text = '■ ' // trim(names(which))
-            text = text // ', ' // fixed(100*(members(which)/real(sum(members), wp)), 1) // ' %'
+            ! Where there are many, the number has to do
+            if (crowded .and. which > 0 .and. which <= size(pens)) text = '■ ' // to_text(which)
+            text = text // ', ' // fixed(100*(members(which)/real(sum(members), wp)), merge(0, 1, crowded)) // &
+               ' %'
             call self%note(text, starts%angles(1) + (starts%angles(2) - starts%angles(1))*at/frame(1), &
                starts%rates(2) + (starts%rates(2) - starts%rates(1))*above/frame(2), 'left', pen_of(which))
             at = at + width_of(text) + apart

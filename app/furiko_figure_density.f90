@@ -45,7 +45,7 @@ contains
       end if
       call extent_of(rows, extent, values)
       cells(1) = int(max(2_int64, min(values, int(cells(1), int64))))
-      half = 0.5_wp
+      half = max(0.5_wp, 1.0e-6_wp*abs(extent(1, 1)))
       if (values > 1) half = (extent(2, 1) - extent(1, 1))/(2*real(values - 1, wp))
       call self%begin([column(varied, 'what was varied'), angle_column, &
          column('points', 'points of the section in the cell'), &

@@ -95,10 +95,12 @@ contains
       real(wp), intent(in) :: extent(2, 2)
       character(len=*), intent(in) :: label
       character(len=*), intent(in) :: about
+      real(wp) :: x_range(2)
 
+      x_range = extent(:, 1)
+      if (.not. x_range(2) > x_range(1)) x_range = padded(x_range, 0.5_wp)
       call self%begin([column(varied, 'what was varied'), what], about)
-      call self%panel(axis_of(varied), label, extent(:, 1) + merge(0.5_wp, 0.0_wp, &
-         .not. extent(2, 1) > extent(1, 1))*[-1, 1], padded(extent(:, 2), 0.01_wp), cell=[1, 1, 1, 1])
+      call self%panel(axis_of(varied), label, x_range, padded(extent(:, 2), 0.01_wp), cell=[1, 1, 1, 1])
    end subroutine begin_sweep
 
 

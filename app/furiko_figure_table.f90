@@ -4,6 +4,7 @@
 !> vary in them.
 module furiko_figure_table
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
+   use furiko_bits_dp, only : is_finite
    use furiko_cli_io, only : complain, refuse
    use furiko_cli_source, only : open_source, source
    use furiko_cli_store, only : begin_store, store
@@ -21,11 +22,15 @@ module furiko_figure_table
       'phase of the drive  <φ>  (rad)']
 
 
+   !> No axis shows more
+   real(wp), parameter :: far = 1.0e100_wp
+
+
 contains
 
 
    !> The rows of a file, of the columns asked for as in [[open_source]]. Those with a NaN, of members that
-   !> ran away, are left out, and how many is said.
+   !> ran away, or beyond 1e100 are left out, and how many is said.
    subroutine read_table(file, wanted, needed, rows, first_name)
       character(len=*), intent(in) :: file
       character(len=*), intent(in) :: wanted(:)
@@ -35,7 +40,7 @@ contains
       type(source) :: table
       real(wp) :: row(size(wanted))
       integer :: left_out
-      logical :: found
+      logical :: found, usable
 
       call open_source(file, wanted, needed, table)
       first_name = table%first_name
@@ -44,7 +49,9 @@ contains
       do
          call table%next_row(row, found)
          if (.not. found) exit
-         if (all(abs(row(:needed)) <= huge(row))) then
+         usable = all(is_finite(row))
+         if (usable) usable = maxval(abs(row)) < far
+         if (usable) then
             call rows%add(row)
          else
             left_out = left_out + 1
@@ -80,13 +87,13 @@ contains
    end subroutine extent_of
 
 
-   !> A range with a little room on both sides, at least so much
+   !> A range with a little room on both sides, at least so much, and enough for ten digits to tell
    pure function padded(range, least) result(wider)
       real(wp), intent(in) :: range(2)
       real(wp), intent(in) :: least
       real(wp) :: wider(2)
 
-      wider = range + max(0.04_wp*(range(2) - range(1)), least)*[-1, 1]
+      wider = range + max(0.04_wp*(range(2) - range(1)), least, 1.0e-6_wp*maxval(abs(range)))*[-1, 1]
    end function padded
 
 
