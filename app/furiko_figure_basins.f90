@@ -242,6 +242,8 @@ contains
       character(len=*), intent(in) :: names(:)
       type(figure), intent(inout) :: self
       real(wp), parameter :: above = 14.0_wp, apart = 16.0_wp, room = 158.0_wp
+      ! Most faces are narrower than the one that labels find their places by
+      real(wp), parameter :: narrow = 0.85_wp
       character(len=:), allocatable :: text
       integer :: frame(2), i
       real(wp) :: at
@@ -257,11 +259,12 @@ contains
             if (which > 0) text = '■ ' // trim(names(which))
             ! Where there are many, the number has to do
             if (crowded .and. which > 0 .and. which <= size(pens)) text = '■ ' // to_text(which)
-            text = text // ', ' // fixed(100*(members(which)/real(sum(members), wp)), merge(0, 1, crowded)) // &
-               ' %'
+            if (crowded .and. which == 0) text = 'grey'
+            text = text // ', ' // fixed(100*(members(which)/real(sum(members), wp)), &
+               merge(0, 1, crowded)) // ' %'
             call self%note(text, starts%angles(1) + (starts%angles(2) - starts%angles(1))*at/frame(1), &
                starts%rates(2) + (starts%rates(2) - starts%rates(1))*above/frame(2), 'left', pen_of(which))
-            at = at + width_of(text) + apart
+            at = at + merge(narrow, 1.0_wp, crowded)*width_of(text) + apart
          end associate
       end do
    end subroutine add_key
