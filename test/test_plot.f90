@@ -535,7 +535,7 @@ contains
       character(len=*), parameter :: bad(*) = [character(len=72) :: '', 'drive,angle_rad', '1,2', &
          'drive,rate\n1,2', 'angle_rad,rate\n1,2', 'drive,angle_rad\n1,x', 'drive,angle_rad\n1', &
          'drive,angle_rad\n1,2,3', 'drive,angle_rad\n1,', 'drive,angle_rad\n1,nan', &
-         'drive,angle_rad\n1,1e999', '`x`,angle_rad\n1,2', '1e5,angle_rad\n1,2', ',angle_rad\n1,2', &
+         'drive,angle_rad\n1,1e999', '<x>,angle_rad\n1,2', '1e5,angle_rad\n1,2', ',angle_rad\n1,2', &
          'a_very_long_name_of_a_column,angle_rad\n1,2', '{"drive": 1}']
       character(len=*), parameter :: commands(*) = [character(len=72) :: 'phase --from t -o x.svg', &
          'poincare --from= -o x.svg', 'basins --from t -o x.svg', 'basins --from u -o x.svg', &
