@@ -13,13 +13,15 @@ module furiko_cli_source
    use furiko_cli_text, only : replaced, whole_text
    implicit none
    private
-   public :: source, open_source
+   public :: source, open_source, longest_name
 
 
    !> What an HDF5 file begins with
    character(len=*), parameter :: signature = char(137) // 'HDF' // achar(13) // achar(10) // achar(26) // &
       achar(10)
-   integer, parameter :: most_columns = 64, longest_name = 24
+   integer, parameter :: most_columns = 64
+   !> Letters of the first column's name
+   integer, parameter :: longest_name = 24
    character(len=*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_'
 
 

@@ -11,7 +11,7 @@ module furiko_figure_basins
    use furiko_figure, only : amplitude, black, blue, column, figure, fixed, green, orange, purple, to_text
    use furiko_figure_density, only : angle_column, middles, quantile
    use furiko_figure_places, only : width_of
-   use furiko_figure_table, only : extent_of, read_table
+   use furiko_figure_table, only : extent_of, longest_name, read_table
    implicit none
    private
    public :: basins_figure
@@ -45,7 +45,7 @@ contains
       type(store) :: rows
       type(grid) :: starts
       type(driven_state) :: points(64)
-      character(len=:), allocatable :: ignored
+      character(len=longest_name) :: ignored
       integer :: label(64)
 
       associate (unused => amplitudes)

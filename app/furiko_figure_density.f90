@@ -7,7 +7,7 @@ module furiko_figure_density
       driven_state
    use furiko_cli_store, only : begin_store, store
    use furiko_figure, only : amplitude, column, figure
-   use furiko_figure_table, only : axis_of, extent_of, padded, read_table
+   use furiko_figure_table, only : axis_of, extent_of, longest_name, padded, read_table
    implicit none
    private
    public :: add_density, angle_column, angle_range, bifurcation_figure, middles, quantile
@@ -29,7 +29,7 @@ contains
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
       type(store) :: rows
-      character(len=:), allocatable :: varied
+      character(len=longest_name) :: varied
       real(wp) :: extent(2, 2), half
       integer(int64) :: values
       integer :: cells(2)
@@ -51,9 +51,9 @@ contains
          column('points', 'points of the section in the cell'), &
          column('shade', '100 for the fullest cell of its column, 0 for none')], &
          'A bifurcation diagram: the angles of a driven pendulum at the beginning of periods of the ' // &
-         'drive, against a constant, ' // varied // '. Thin lines are cycles, one line for each period; ' // &
+         'drive, against a constant, ' // trim(varied) // '. Thin lines are cycles, one line for each period; ' // &
          'grey bands are chaos, darker where the pendulum comes by more often.')
-      call self%panel(axis_of(varied), 'angle <θ>  (degrees)', extent(:, 1) + half*[-1, 1], &
+      call self%panel(axis_of(trim(varied)), 'angle <θ>  (degrees)', extent(:, 1) + half*[-1, 1], &
          angle_range(extent(:, 2)/degree), cell=[1, 1, 1, 1])
       if (self%from == '') call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + ' // &
          '<g> cos(2<t>/3), once a period of the drive')

@@ -12,7 +12,7 @@ module furiko_figure_driven
    use furiko_cli_store, only : store
    use furiko_figure, only : amplitude, black, blue, broken, column, figure, fixed, orange, solid
    use furiko_figure_density, only : add_density, angle_range
-   use furiko_figure_table, only : extent_of, padded, read_table
+   use furiko_figure_table, only : extent_of, longest_name, padded, read_table
    implicit none
    private
    public :: driven_figure, poincare_figure
@@ -123,7 +123,7 @@ contains
    subroutine section_figure(self)
       type(figure), intent(inout) :: self
       type(store) :: rows
-      character(len=:), allocatable :: ignored
+      character(len=longest_name) :: ignored
       real(wp) :: extent(2, 2), angles(2), rates(2)
       integer(int64) :: changes
 

@@ -9,7 +9,7 @@ module furiko_figure_sweep
    use furiko_cli_store, only : begin_store, store
    use furiko_figure, only : amplitude, black, blue, column, figure, orange, solid, to_text
    use furiko_figure_density, only : steps
-   use furiko_figure_table, only : axis_of, extent_of, padded, read_table
+   use furiko_figure_table, only : axis_of, extent_of, longest_name, padded, read_table
    implicit none
    private
    public :: exponents_figure, staircase_figure
@@ -26,20 +26,23 @@ contains
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
       type(store) :: rows
-      character(len=:), allocatable :: varied
+      character(len=longest_name) :: varied
       real(wp), allocatable :: x(:), w(:)
       real(wp) :: extent(2, 2)
       integer(int64) :: ignored
 
       associate (unused => amplitudes)
       end associate
-      varied = 'torque'
-      if (self%from == '') call compute_windings(size_of_family(self), rows)
-      if (self%from /= '') call read_table(self%from, [character(len=7) :: '', 'winding'], 2, rows, varied)
+      if (self%from == '') then
+         varied = 'torque'
+         call compute_windings(size_of_family(self), rows)
+      else
+         call read_table(self%from, [character(len=7) :: '', 'winding'], 2, rows, varied)
+      end if
       call extent_of(rows, extent, ignored)
       call begin_sweep(self, varied, column('winding', 'turns to a period of the drive'), extent, &
          'winding number  (turns a period)', 'The winding number of a driven pendulum, turns to a ' // &
-         'period of the drive, against a constant, ' // varied // ': a devil''s staircase. Thick ' // &
+         'period of the drive, against a constant, ' // trim(varied) // ': a devil''s staircase. Thick ' // &
          'horizontal lines are steps on which the pendulum is locked to the drive and the number is a ' // &
          'fraction; the dots between them are not locked, or locked on steps too narrow to see.')
       if (self%from == '') call self%caption( &
@@ -56,22 +59,24 @@ contains
       type(amplitude), intent(in) :: amplitudes(:)
       type(figure), intent(inout) :: self
       type(store) :: rows
-      character(len=:), allocatable :: varied
+      character(len=longest_name) :: varied
       real(wp), allocatable :: x(:), exponent(:)
       real(wp) :: extent(2, 2)
       integer(int64) :: ignored
 
       associate (unused => amplitudes)
       end associate
-      varied = 'drive'
-      if (self%from == '') call compute_exponents(size_of_family(self)/2, rows)
-      if (self%from /= '') call read_table(self%from, [character(len=10) :: '', 'exponent_1'], 2, rows, &
-         varied)
+      if (self%from == '') then
+         varied = 'drive'
+         call compute_exponents(size_of_family(self)/2, rows)
+      else
+         call read_table(self%from, [character(len=10) :: '', 'exponent_1'], 2, rows, varied)
+      end if
       call extent_of(rows, extent, ignored)
       extent(:, 2) = [min(extent(1, 2), 0.0_wp), max(extent(2, 2), 0.0_wp)]
       call begin_sweep(self, varied, column('exponent', 'the larger Lyapunov exponent over ' // &
          'sqrt(g/l)'), extent, 'Lyapunov exponent  <λ> / <ω>_0', &
-         'The larger Lyapunov exponent of a driven pendulum against a constant, ' // varied // &
+         'The larger Lyapunov exponent of a driven pendulum against a constant, ' // trim(varied) // &
          '. Below zero neighbours come together, and the motion is periodic; above it, ' // &
          'where the area is filled, they part, and it is chaotic.')
       if (self%from == '') call self%caption( &
@@ -100,7 +105,7 @@ contains
       x_range = extent(:, 1)
       if (.not. x_range(2) > x_range(1)) x_range = padded(x_range, 0.5_wp)
       call self%begin([column(varied, 'what was varied'), what], about)
-      call self%panel(axis_of(varied), label, x_range, padded(extent(:, 2), 0.01_wp), cell=[1, 1, 1, 1])
+      call self%panel(axis_of(trim(varied)), label, x_range, padded(extent(:, 2), 0.01_wp), cell=[1, 1, 1, 1])
    end subroutine begin_sweep
 
 

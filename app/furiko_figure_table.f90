@@ -6,12 +6,12 @@ module furiko_figure_table
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko_bits_dp, only : is_finite
    use furiko_cli_io, only : complain, refuse
-   use furiko_cli_source, only : open_source, source
+   use furiko_cli_source, only : longest_name, open_source, source
    use furiko_cli_store, only : begin_store, store
    use furiko_cli_text, only : replaced, whole_text
    implicit none
    private
-   public :: axis_of, extent_of, padded, read_table
+   public :: axis_of, extent_of, padded, read_table, longest_name
 
 
    !> Constants as `furiko driven` calls them, and their symbols of doc/driven.md
@@ -36,7 +36,8 @@ contains
       character(len=*), intent(in) :: wanted(:)
       integer, intent(in) :: needed
       type(store), intent(out) :: rows
-      character(len=:), allocatable, intent(out) :: first_name
+      !> Of the first column
+      character(len=*), intent(out) :: first_name
       type(source) :: table
       real(wp) :: row(size(wanted))
       integer :: left_out
