@@ -51,8 +51,8 @@ contains
          column('points', 'points of the section in the cell'), &
          column('shade', '100 for the fullest cell of its column, 0 for none')], &
          'A bifurcation diagram: the angles of a driven pendulum at the beginning of periods of the ' // &
-         'drive, against a constant, ' // trim(varied) // '. Thin lines are cycles, one line for each period; ' // &
-         'grey bands are chaos, darker where the pendulum comes by more often.')
+         'drive, against a constant, ' // trim(varied) // '. Thin lines are cycles, one line for each ' // &
+         'period; grey bands are chaos, darker where the pendulum comes by more often.')
       call self%panel(axis_of(trim(varied)), 'angle <θ>  (degrees)', extent(:, 1) + half*[-1, 1], &
          angle_range(extent(:, 2)/degree), cell=[1, 1, 1, 1])
       if (self%from == '') call self%caption('d^2<θ>/d<t>^2 = −sin <θ> − 0.5 d<θ>/d<t> + ' // &
