@@ -284,12 +284,15 @@ contains
       type(driven_state), intent(in) :: points(:)
       integer, intent(in) :: label(:)
       type(figure), intent(inout) :: self
+      real(wp), dimension(size(points)) :: angle, rate
       integer :: i
 
+      angle = points%angle/degree
+      rate = points%rate
       do i = 1, maxval(label)
          associate (own => label == i)
-            call self%add('points of attractor ' // to_text(i), pack(points%angle, own)/degree, &
-               pack(points%rate, own), more=spread([real(i, wp), 0.0_wp], 1, count(own)))
+            call self%add('points of attractor ' // to_text(i), pack(angle, own), pack(rate, own), &
+               more=spread([real(i, wp), 0.0_wp], 1, count(own)))
             call self%draw(black, style='points pt 7 ps 0.9*scale')
          end associate
       end do
