@@ -4,7 +4,8 @@
 !> with more steps, and with more periods, by one thread and by two. For measure.py, which takes it apart.
 program compute_chunks
    use, intrinsic :: iso_fortran_env, only : int64, wp => real64
-   use furiko_ensemble_sweep, only : compute, quantities, quantity, scheme_of, sweep
+   use furiko_ensemble_compute, only : compute
+   use furiko_ensemble_sweep, only : quantities, quantity, scheme_of, sweep
    use omp_lib, only : omp_set_num_threads
    implicit none
    integer, parameter :: repeats = 9, members = 16384, periods(3) = [16, 16, 64], steps(3) = [1, 9, 1]
@@ -45,8 +46,8 @@ contains
       type(quantity), allocatable :: results(:)
       integer(int64) :: first, last, rate
 
-      asked = sweep(subject, 'order8', steps, [0.5_wp, 0.0_wp, 0.0_wp, 1.2_wp, 2.0_wp/3, 0.0_wp], 0.0_wp, &
-         0.0_wp, 4, 1.0_wp, 1.1_wp, int(members, int64), 0, periods, members)
+      asked = sweep(subject, 'order8', steps, [0.5_wp, 0.0_wp, 0.0_wp, 1.2_wp, 2.0_wp/3, 0.0_wp], vary=4, &
+         from=1.0_wp, to=1.1_wp, points=members, periods=periods, chunk=members)
       results = quantities(asked)
       call omp_set_num_threads(threads)
       call system_clock(first, rate)
