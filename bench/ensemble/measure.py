@@ -69,7 +69,7 @@ def fresh(name="a.h5"):
 
 
 def compute():
-    """Nanoseconds of a member: a step; a period beyond its steps; and what only one thread does, a period and once"""
+    """Nanoseconds of a member: a step; a period beyond its steps; and once, what only one thread does"""
     said = subprocess.run([str(BUILT / "compute")], text=True, capture_output=True, check=True).stdout
     cost, found = {}, {}
     for subject, periods, steps, threads, *times in map(str.split, said.splitlines()):
@@ -80,11 +80,12 @@ def compute():
         for i in (0, 1):
             short, steeper, longer = (cost[subject, *key, 1][i] for key in ((few, one), (few, more), (many, one)))
             step = (steeper - short) / (few * (more - one))
-            # Of t = alone + shared/threads
+            # Of t = alone + shared/threads; what of it grows with the periods is that two threads are less than twice
+            # as fast as one.
             alone, alone_longer = (2 * cost[subject, n, one, 2][i] - cost[subject, n, one, 1][i] for n in (few, many))
-            alone_period = (alone_longer - alone) / (many - few)
-            parts.append([step, (longer - short) / (many - few) - one * step, alone_period, alone - few * alone_period])
-        found[subject] = dict(zip(("step", "period", "alone_period", "alone_once"), map(list, zip(*parts))))
+            parts.append([step, (longer - short) / (many - few) - one * step,
+                          alone - few * (alone_longer - alone) / (many - few)])
+        found[subject] = dict(zip(("step", "period", "alone"), map(list, zip(*parts))))
     return found
 
 
@@ -99,10 +100,11 @@ def members_a_second(ranks, threads, chunk, members):
 
 def scaling():
     """Members a second by (ranks, 0 without MPI; threads; chunk; members), greatest and median"""
+    members = 16384
     layouts = [(0, 1), (0, 2), (1, 1), (1, 2), (2, 1)]
-    cases = [(*layout, chunk, 16384) for layout in layouts for chunk in (4096, 64)]
+    cases = [(*layout, chunk, members) for layout in layouts for chunk in (4096, 64)]
     # Half of the work for half of the cores
-    cases += [(ranks, 1, 4096, 8192) for ranks in (0, 1)]
+    cases += [(ranks, 1, 4096, members // 2) for ranks in (0, 1)]
     found = in_turns(5, lambda *case: 1 / members_a_second(*case), cases)
     return [[*case, 1 / least, 1 / median] for case, (least, median) in found.items()]
 
@@ -185,17 +187,9 @@ def messages():
 
 
 def start():
-    """Seconds by ranks: of the program that only says its help; of /bin/true under mpirun"""
-    ranks = (1, 2, 4, 8, 16, 32, 64)
-    cases = [(0, "help"), *itertools.product(ranks, ("help", "true"))]
-
-    def once(number, what):
-        return seconds([*program(number), "help"] if what == "help" else [*program(number)[:-1], "true"])
-
-    few = in_turns(3, once, [case for case in cases if case[0] <= 16])
-    many = in_turns(2, once, [case for case in cases if case[0] > 16])
-    return [[number, *few.get((number, "help"), many.get((number, "help"))),
-             *few.get((number, "true"), many.get((number, "true"), [math.nan] * 2))] for number in (0, *ranks)]
+    """Seconds of the program that only says its help, by ranks; 0: without MPI"""
+    found = in_turns(3, lambda ranks: seconds([*program(ranks), "help"]), [(ranks,) for ranks in (0, 1, 2, 4, 8, 16, 32, 64)])
+    return [[*case, *times] for case, times in found.items()]
 
 
 def time_to_make(members):

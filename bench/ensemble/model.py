@@ -53,15 +53,13 @@ def rows_of(name):
 
 class Costs:
     """Of a member, in seconds and bytes, as `ensemble` computes it when nothing else is said: 500 periods, then 100,
-    of 96 steps. A chunk begins as many parallel loops."""
+    of 96 steps"""
 
     def __init__(self, subject):
         cost = {name: least * 1e-9 for name, (least, _) in MEASURED["compute"][subject].items()}
-        stored = PERIODS if subject == "bifurcation" else 0
         self.member = (TRANSIENT + PERIODS) * (STEPS * cost["step"] + cost["period"])
-        self.alone = max(cost["alone_once"], 0) + stored * max(cost["alone_period"], 0)
-        self.loops = 1 + stored
-        self.bytes = {"bifurcation": 24 + 16 * stored, "lyapunov": 40, "winding": 24}[subject]
+        self.alone = max(cost["alone"], 0)
+        self.bytes = {"bifurcation": 16 + 16 * PERIODS, "lyapunov": 36, "winding": 28}[subject]
 
 
 def messages_received():
@@ -85,7 +83,7 @@ def round_parts(costs, chunk, processes, everywhere, gatherers=None):
     pipe = min(gatherers * A["writer"], targets * A["target"], A["targets"] * A["target"] * processes / everywhere)
     return {
         "computing, all threads even": evenly,
-        "one thread alone, and loops": chunk * costs.alone + costs.loops * A["fork"],
+        "one thread alone": chunk * costs.alone + A["fork"],
         "waiting for the slowest process": evenly * A["spread"] * math.sqrt(2 * math.log(processes)),
         "messages": (a + b * math.log2(processes) + c * group) * A["latency"] if processes > 1 else 0.0,
         "gathering": (group - 1) * size / A["network"],
@@ -149,20 +147,19 @@ def show_compute():
     rows = []
     for subject, cost in MEASURED["compute"].items():
         full = Costs(subject)
-        alone = span(cost["alone_period"]) if subject == "bifurcation" else "–"
-        rows.append([subject, span(cost["step"]), span(cost["period"]), alone, span(cost["alone_once"]),
+        rows.append([subject, *(span(cost[name]) for name in ("step", "period", "alone")),
                      short(full.member * 1e6), full.bytes, short(full.bytes / full.member / 1e3)])
-    return table(["ns of a member", "a step", "a period beyond", "one thread alone, a period", "and once",
-                  "µs of all", "bytes", "kB a core and second"], rows)
+    return table(["ns of a member", "a step", "a period beyond", "once, one thread alone", "µs of all", "bytes",
+                  "kB a core and second"], rows)
 
 
 def predicted(ranks, threads, chunk):
     """Members a second of the sweep of measure.py on this machine, from the costs of computing and of a round"""
     cost = {name: least * 1e-9 for name, (least, _) in MEASURED["compute"]["lyapunov"].items()}
     busy = min(threads, math.ceil(chunk / BLOCK))
-    computing = chunk * (80 * (96 * cost["step"] + cost["period"]) / busy + max(cost["alone_once"], 0))
+    computing = chunk * (80 * (96 * cost["step"] + cost["period"]) / busy + max(cost["alone"], 0))
     known = sorted((size * rest[4], rest[0]) for (number, size), rest in rows_of("rounds").items() if number == ranks)
-    size = max(40 * chunk, known[0][0])
+    size = max(Costs("lyapunov").bytes * chunk, known[0][0])
     (x, s), (y, t) = next(pair for pair in zip(known, known[1:]) if size <= pair[1][0])
     return max(ranks, 1) * chunk / (computing + s + (t - s) * (size - x) / (y - x))
 
@@ -171,16 +168,17 @@ def show_scaling():
     found = {tuple(case): speeds for *case, most, median in MEASURED["scaling"] for speeds in [(most, median)]}
     names = {(0, 1): "one process, one thread", (0, 2): "one process, two threads", (1, 1): "MPI: one process, one thread",
              (1, 2): "MPI: one process, two threads", (2, 1): "MPI: two processes, one thread each"}
+    size = max(members for *_, members in found)
     rows = []
     for (ranks, threads), name in names.items():
         cells = [name]
         for chunk in (4096, 64):
-            most, median = found[ranks, threads, chunk, 16384]
-            one = found[0, 1, chunk, 16384]
+            most, median = found[ranks, threads, chunk, size]
+            one = found[min(ranks, 1), 1, chunk, size]
             cells += [f"{most:,.0f}, {median:,.0f}", f"{most / one[0]:.2f}, {median / one[1]:.2f}",
-                      f"{predicted(ranks, threads, chunk) / predicted(0, 1, chunk):.2f}"]
-        half = found[min(ranks, 1), 1, 4096, 8192]
-        most, median = found[ranks, threads, 4096, 16384]
+                      f"{predicted(ranks, threads, chunk) / predicted(min(ranks, 1), 1, chunk):.2f}"]
+        half = found[min(ranks, 1), 1, 4096, size // 2]
+        most, median = found[ranks, threads, 4096, size]
         cells.append(f"{most / half[0] / 2:.2f}, {median / half[1] / 2:.2f}" if ranks + threads > 2 or threads > 1 else "")
         rows.append(cells)
     return table(["", "members/s, chunk 4096", "times one core", "from the parts", "members/s, chunk 64", "times one core",
@@ -215,9 +213,8 @@ def show_messages():
 
 
 def show_start():
-    rows = [["without MPI" if ranks == 0 else ranks, span(help), "" if ranks == 0 else span(true)]
-            for ranks, *times in MEASURED["start"] for help, true in [(times[:2], times[2:])]]
-    return table(["processes", "s of `ensemble help`", "s of `mpirun true`"], rows)
+    return table(["processes", "s of `ensemble help`"],
+                 [[ranks or "without MPI", span(times)] for ranks, *times in MEASURED["start"]])
 
 
 def show_making():
