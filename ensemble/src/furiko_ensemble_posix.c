@@ -47,10 +47,13 @@ int ensemble_is_locked(int descriptor)
    return fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
+/* By the file system itself, where it can: posix_fallocate would else write into each block, for hours. */
 int ensemble_reserve(int descriptor, long long offset, long long bytes)
 {
-   const int failed = posix_fallocate(descriptor, offset, bytes);
-   return failed == EOPNOTSUPP ? 0 : failed;
+   while (fallocate(descriptor, 0, offset, bytes) < 0)
+      if (errno != EINTR)
+         return errno == EOPNOTSUPP ? 0 : errno;
+   return 0;
 }
 
 int ensemble_sync(int descriptor) { return fsync(descriptor) < 0 ? errno : 0; }
