@@ -25,7 +25,7 @@ PART = 20
 # A row of the table, whose program has so many lines; `run` is a command line with places for {transient} and {kept}.
 # Of the members every `part`th is computed, and the least of so many repeats counts.
 Row = namedtuple("Row", "name lines compile run part repeats", defaults=(1, 5))
-Answer = namedtuple("Answer", "points seconds wall memory")
+Answer = namedtuple("Answer", "points seconds wall")
 CPP = "g++ {} -march=native -fopenmp '-DSTEPPER={}' {}.cpp -o odeint"
 NEW = "python/bin/python"
 SVML = "env LD_LIBRARY_PATH=svml/lib svml/bin/python"
@@ -55,6 +55,7 @@ def furiko(name, flags, rest):
 COMMAND = Row("`furiko driven bifurcation`, order 8, 96 steps", 1, "true",
               f"./program driven bifurcation --vary drive --from {FIRST} --to {LAST} --points {MEMBERS} --angle -90 "
               "--transient {transient} --periods {kept} --format csv")
+ORDER8 = furiko("furiko: order 8, 96 steps", "-O3 -march=native", "96 order8")
 ROWS = [
     python("SciPy, one after another: DOP853, tolerance 1e-9", "scipy_one.py", "1e-9", part=PART, repeats=1),
     python("SciPy, all as one system: DOP853, tolerance 1e-9", "scipy_all.py", "1e-9"),
@@ -71,7 +72,7 @@ ROWS = [
     odeint("the same: Fehlberg 7(8), 64 steps", "odeint_blocks", "-Ofast", "runge_kutta_fehlberg78<state>", 64),
     furiko("furiko: RK4, 256 steps", "-O3 -march=native", "256 rk4"),
     furiko("furiko: order 8, 32 steps", "-O3 -march=native", "32 order8"),
-    furiko("furiko: order 8, 96 steps", "-O3 -march=native", "96 order8"),
+    ORDER8,
     furiko("the same for any x86-64", "-O2", "96 order8"),
     COMMAND,
 ]
@@ -84,17 +85,15 @@ def numbers(lines):
 
 
 def run(row, drives, transient=TRANSIENT, kept=KEPT, threads=1, wait=600):
-    """Points (angle, rate) of each member, seconds of the computation and of all, megabytes"""
+    """Points (angle, rate) of each member, seconds of the computation and of all"""
     command = shlex.split(row.run.format(transient=transient, kept=kept))
     environment = {**os.environ, **{name: str(threads) for name in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "THREADS")}}
     with tempfile.TemporaryFile("w+") as asked, tempfile.TemporaryFile("w+") as said, tempfile.TemporaryFile("w+") as told:
         asked.write("\n".join(map(repr, drives)))
         asked.seek(0)
         start = time.perf_counter()
-        process = subprocess.Popen(["timeout", str(wait), *command], stdin=asked, stdout=said, stderr=told, cwd=FOLDER,
-                                   env=environment)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
+        process = subprocess.run(["timeout", str(wait), *command], stdin=asked, stdout=said, stderr=told, cwd=FOLDER,
+                                 env=environment)
         wall = time.perf_counter() - start
         said.seek(0)
         told.seek(0)
@@ -103,7 +102,7 @@ def run(row, drives, transient=TRANSIENT, kept=KEPT, threads=1, wait=600):
         rows = numbers(said)
         points = [rows[i:i + kept] for i in range(0, len(rows), kept)]
         seconds = wall if row is COMMAND else float(told.read().split()[-1])
-        return Answer(points, seconds, wall, usage.ru_maxrss / 1024)
+        return Answer(points, seconds, wall)
 
 
 def reference(drives, transient, kept, change=0):
@@ -152,7 +151,7 @@ def figures(x):
 
 
 def times(row):
-    """Seconds of all but the computation, of the computation on one core and on two, and megabytes"""
+    """Seconds of all but the computation, and of the computation on one core and on two"""
     start = time.perf_counter()
     subprocess.run(row.compile, shell=True, cwd=FOLDER, check=True)
     compiled = time.perf_counter() - start
@@ -160,7 +159,7 @@ def times(row):
     one, two = (min((run(row, drives, threads=threads) for _ in range(row.repeats)), key=lambda answer: answer.seconds)
                 for threads in (1, 2))
     return [figures(compiled + one.wall - one.seconds), figures(one.seconds * row.part),
-            "" if row is COMMAND else figures(two.seconds * row.part), f"{one.memory:.0f}"]
+            "" if row is COMMAND else figures(two.seconds * row.part)]
 
 
 def digits(row, first, section, forgets):
@@ -179,11 +178,10 @@ def references(drives):
 
 def check():
     """Whether some members of furiko's program agree with the reference and with the command line"""
-    row = next(row for row in ROWS if row.name == "furiko: order 8, 96 steps")
-    subprocess.run(row.compile, shell=True, cwd=FOLDER, check=True)
+    subprocess.run(ORDER8.compile, shell=True, cwd=FOLDER, check=True)
     first, section, forgets = references(DRIVES[::PART])
     for truth, transient, kept, bound in ((first, 0, 1, 2e-12), (section, TRANSIENT, KEPT, 1e-11)):
-        points, shown = (run(which, DRIVES, transient, kept).points[::PART] for which in (row, COMMAND))
+        points, shown = (run(which, DRIVES, transient, kept).points[::PART] for which in (ORDER8, COMMAND))
         for what, others in (("the reference", truth), ("the command line", shown)):
             error = apart_most(*zip(*(both for *both, forgetful in zip(points, others, forgets) if forgetful)))
             print(f"{sum(forgets)} members, {transient} periods and {kept}: {powers(error)} from {what}")
@@ -194,8 +192,8 @@ def check():
 def table():
     first, section, forgets = references(DRIVES)
     print(f"{sum(forgets)} of {MEMBERS} members forget a change of their start by {CHANGE:g} rad.\n")
-    print("| | lines | ready (s) | one core (s) | two cores (s) | MB | error, one period | error, section | beside a NaN |")
-    print("|---|---|---|---|---|---|---|---|---|")
+    print("| | lines | ready (s) | one core (s) | two cores (s) | error, one period | error, section | beside a NaN |")
+    print("|---|---|---|---|---|---|---|---|")
     for row in ROWS:
         if "svml" in row.run and not (FOLDER / "svml/ready").exists():
             continue

@@ -51,7 +51,7 @@ def section(drives, transient, kept, steps):
 
 transient, kept, steps = map(int, sys.argv[1:4])
 drives = np.array(sys.stdin.read().split(), float)
-section(drives[:1], 0, 1, steps)
+section(drives[:BLOCK], 0, 1, steps)
 start = time.perf_counter()
 points = section(drives, transient, kept, steps)
 print(time.perf_counter() - start, file=sys.stderr)
