@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: MIT
 
-!> Standard input line by line, in constant memory; what one read of it has brought is there at once.
+!> Standard input or a file line by line, in constant memory; what one read of it has brought is there at
+!> once.
 module furiko_cli_input
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_intptr_t, c_size_t
    use furiko_cli_io, only : cannot, quit
@@ -26,6 +27,9 @@ module furiko_cli_input
       !> Its number
       integer, public :: number = 0
       logical, public :: at_end = .false.
+      !> Its descriptor, and what a message calls it; standard input's if no name is given
+      integer(c_int), public :: file = 0_c_int
+      character(len=:), allocatable, public :: name
       !> What follows the line, how much of it is known to have no end of a line, and all there is
       integer :: start = 1
       integer :: searched = 0
@@ -33,6 +37,7 @@ module furiko_cli_input
    contains
       procedure :: next_line
       procedure :: refill
+      procedure :: begins_with
    end type line_input
 
 
@@ -93,8 +98,8 @@ contains
 
       rest = self%length - self%start + 1
       call make_room(self, rest)
-      count = c_read(0_c_int, self%text(rest + 1:), int(len(self%text) - rest, c_size_t))
-      if (count < 0) call give_up()
+      count = c_read(self%file, self%text(rest + 1:), int(len(self%text) - rest, c_size_t))
+      if (count < 0) call give_up(self)
       self%at_end = count == 0
       self%length = rest + int(count)
       if (self%at_end .and. rest > 0) then
@@ -123,9 +128,23 @@ contains
    end subroutine make_room
 
 
+   !> Whether what the first `refill` has brought begins with some bytes
+   pure function begins_with(self, bytes) result(yes)
+      class(line_input), intent(in) :: self
+      character(len=*), intent(in) :: bytes
+      logical :: yes
+
+      yes = self%length >= len(bytes)
+      if (yes) yes = self%text(:len(bytes)) == bytes
+   end function begins_with
+
+
    !> Say why, as the C library knows it; does not return.
-   subroutine give_up()
-      call cannot('read standard input')
+   subroutine give_up(self)
+      class(line_input), intent(in) :: self
+
+      if (allocated(self%name)) call cannot('read ' // self%name)
+      if (.not. allocated(self%name)) call cannot('read standard input')
       call quit(2)
    end subroutine give_up
 

@@ -10,7 +10,9 @@ module furiko_cli_plot
    use furiko_cli_text, only : cut, replaced, suggestion
    use furiko_figure, only : amplitude, figure, paper
    use furiko_figure_accuracy, only : accuracy_figure
+   use furiko_figure_basins, only : basins_figure
    use furiko_figure_converge, only : converge_figure
+   use furiko_figure_density, only : bifurcation_figure
    use furiko_figure_drift, only : drift_figure
    use furiko_figure_driven, only : driven_figure, poincare_figure
    use furiko_figure_energy, only : energy_figure
@@ -20,6 +22,7 @@ module furiko_cli_plot
    use furiko_figure_period, only : period_figure
    use furiko_figure_phase, only : phase_figure
    use furiko_figure_spectrum, only : spectrum_figure
+   use furiko_figure_sweep, only : exponents_figure, staircase_figure
    use furiko_figure_tension, only : tension_figure
    use furiko_gnuplot, only : begin_picture, draw, is_picture_name, picture
    use furiko_word_arithmetic_dp, only : words
@@ -30,15 +33,17 @@ module furiko_cli_plot
 
    !> What a figure is called, what it shows, its amplitudes where it takes any, and who makes it
    type :: entry
-      character(len=9) :: name = ''
+      character(len=11) :: name = ''
       character(len=64) :: about = ''
       character(len=24) :: amplitudes = ''
       integer :: most = 0
       procedure(maker), pointer, nopass :: make => null()
+      !> The command of furiko driven whose CSV it draws with --from, where there is one
+      character(len=11) :: subject = ''
    end type entry
 
 
-   integer, parameter :: how_many = 15
+   integer, parameter :: how_many = 19
 
 
    abstract interface
@@ -81,7 +86,15 @@ contains
          entry('driven', 'orbits of a driven pendulum with friction, periodic and not', '', 0, &
          driven_figure), &
          entry('poincare', 'section of a chaotic driven pendulum, once a period of the drive', '', 0, &
-            poincare_figure)]
+            poincare_figure, 'section'), &
+         entry('bifurcation', 'angles of driven pendulums against a constant: cycles, chaos', '', 0, &
+            bifurcation_figure, 'bifurcation'), &
+         entry('basins', 'which attractor each start of a driven pendulum comes to', '', 0, &
+            basins_figure, 'basins'), &
+         entry('staircase', 'winding number of driven pendulums: steps locked to the drive', '', 0, &
+            staircase_figure, 'winding'), &
+         entry('exponents', 'Lyapunov exponent of driven pendulums against a constant', '', 0, &
+            exponents_figure, 'lyapunov')]
    end function all_figures
 
 
@@ -100,6 +113,9 @@ contains
             'PNG looks the same and has twice the pixels'), &
          option('--title', 'TEXT', '', 'a line above the picture'), &
          option('--amplitude', 'LIST', '', 'amplitudes between 0 and 180 degrees, as 30,60 or 0.1rad,1rad'), &
+         option('--from', 'FILE', '', 'poincare, bifurcation, basins, staircase or exponents: draw what ' // &
+            'furiko driven section, bifurcation, basins, winding or lyapunov has written with ' // &
+            '--format csv (- is standard input), or the HDF5 file of a sweep by ensemble'), &
          option('--data', about='leave the data (.csv, with units and this command) and the script ' // &
             '(.gp) beside FILE')], run=plot_command)
    end function plot_usage
@@ -108,7 +124,7 @@ contains
    subroutine plot_command(line)
       type(command_line), intent(in) :: line
       type(entry) :: chosen
-      type(word) :: amplitudes, file, title
+      type(word) :: amplitudes, file, from, title
       type(amplitude), allocatable :: wanted(:)
       type(figure) :: content
       type(picture) :: place
@@ -125,6 +141,8 @@ contains
       title = line%value('--title')
       amplitudes = line%value('--amplitude')
       if (file%text == '') call reject('where to? -o FILE, a name that ends in .svg, .png or .pdf')
+      from = line%value('--from')
+      if (line%given('--from')) call check_from(chosen, from%text)
       if (line%given('--amplitude') .and. amplitudes%text == '') call reject('--amplitude is empty')
       call check_text('-o', file%text)
       call check_title(title%text)
@@ -137,10 +155,21 @@ contains
       ! All that can be refused has been, before any work.
       call begin_picture(file%text, extent, scale, name_of(chosen, title%text), typed(), &
          line%given('--data'), place)
+      content%from = from%text
       content%sheet = paper(extent(1), extent(2), title%text /= '')
       call chosen%make(wanted, content)
       call draw(place, content, title%text)
    end subroutine plot_command
+
+
+   subroutine check_from(chosen, file)
+      type(entry), intent(in) :: chosen
+      character(len=*), intent(in) :: file
+
+      if (chosen%subject == '') call reject(trim(chosen%name) // ' takes no --from')
+      if (file == '') call reject('--from is empty')
+      call check_text('--from', file)
+   end subroutine check_from
 
 
    !> A title is text of an SVG file.

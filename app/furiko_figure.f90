@@ -58,11 +58,18 @@ module furiko_figure
       character(len=:), allocatable :: name
       !> A row for each point, as many columns as the figure has
       real(wp), allocatable :: points(:, :)
+      !> Of an image in place of them: the middles of its cells, and what the columns behind x and y hold:
+      !> (x, y, column)
+      real(wp), allocatable :: x(:)
+      real(wp), allocatable :: y(:)
+      integer, allocatable :: cells(:, :, :)
    end type curve
 
 
    type :: figure
       type(paper) :: sheet
+      !> The file that the data come from; empty where the figure computes its own
+      character(len=:), allocatable :: from
       !> What is seen, in a sentence or two: for those who do not see it
       character(len=:), allocatable :: about
       type(column), allocatable :: columns(:)
@@ -81,6 +88,8 @@ module furiko_figure
       procedure :: panel
       procedure :: add
       procedure :: draw
+      procedure :: image
+      procedure :: pixels
       procedure :: head
       procedure :: caption
       procedure :: note
@@ -177,6 +186,17 @@ contains
    end function frame_of
 
 
+   !> Width and height of the axes' rectangle, in pixels, of a figure of one panel with a caption
+   pure function pixels(self)
+      class(figure), intent(in) :: self
+      integer :: pixels(2)
+
+      associate (frame => frame_of(self%sheet, .true., [1, 1, 1, 1]))
+         pixels = nint([frame%right - frame%left, frame%bottom - frame%top])
+      end associate
+   end function pixels
+
+
    !> Add a curve: its points, or, in a figure of more than two columns, rows of numbers; all finite but for
    !> rows of [[line_break]], where a line is broken or a row of a grid ends.
    subroutine add(self, name, x, y, more)
@@ -186,20 +206,61 @@ contains
       real(wp), intent(in) :: y(:)
       !> The columns behind x and y; 0 if not given
       real(wp), intent(in), optional :: more(:, :)
-      type(curve), allocatable :: longer(:)
-      integer :: n
+      type(curve) :: new
 
-      n = size(self%curves)
-      allocate(longer(n + 1))
-      longer(:n) = self%curves
-      longer(n + 1)%name = name
-      allocate(longer(n + 1)%points(size(x), size(self%columns)))
-      longer(n + 1)%points = 0.0_wp
-      longer(n + 1)%points(:, 1) = x
-      longer(n + 1)%points(:, 2) = y
-      if (present(more)) longer(n + 1)%points(:, 3:) = more
-      call move_alloc(longer, self%curves)
+      new%name = name
+      allocate(new%points(size(x), size(self%columns)))
+      new%points = 0.0_wp
+      new%points(:, 1) = x
+      new%points(:, 2) = y
+      if (present(more)) new%points(:, 3:) = more
+      call append(self%curves, new)
    end subroutine add
+
+
+   subroutine append(curves, new)
+      type(curve), allocatable, intent(inout) :: curves(:)
+      type(curve), intent(in) :: new
+      type(curve), allocatable :: longer(:)
+
+      allocate(longer(size(curves) + 1))
+      longer(:size(curves)) = curves
+      longer(size(longer)) = new
+      call move_alloc(longer, curves)
+   end subroutine append
+
+
+   !> Add an image, a grid of cells, and draw it. No label keeps clear of it. Every form of picture, an SVG
+   !> file too, holds it as a bitmap.
+   subroutine image(self, name, x, y, cells, how)
+      class(figure), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      !> The middles of the cells, at least two each way
+      real(wp), intent(in) :: x(:)
+      real(wp), intent(in) :: y(:)
+      !> What the columns behind x and y hold: (x, y, column)
+      integer, intent(in) :: cells(:, :, :)
+      !> What gnuplot is told behind the columns of x and y, as ':4 with image'
+      character(len=*), intent(in) :: how
+      type(curve) :: new
+
+      new%name = name
+      new%x = x
+      new%y = y
+      new%cells = cells
+      call append(self%curves, new)
+      call begin_drawing(self)
+      self%drawn = self%drawn // ' using 2:3' // how // " title '" // name // "'"
+   end subroutine image
+
+
+   !> The last curve's place in the data, behind those that are drawn already
+   subroutine begin_drawing(self)
+      type(figure), intent(inout) :: self
+
+      if (self%drawn /= '') self%drawn = self%drawn // ', \' // nl // '   '
+      self%drawn = self%drawn // 'data skip head index ' // to_text(size(self%curves) - 1)
+   end subroutine begin_drawing
 
 
    !> Draw the last curve, with a label that finds its place by itself.
@@ -239,10 +300,9 @@ contains
       longer(n + 1) = this
       call move_alloc(longer, self%strokes)
 
-      if (self%drawn /= '') self%drawn = self%drawn // ', \' // nl // '   '
-      self%drawn = self%drawn // 'data skip head index ' // to_text(this%which - 1) // &
-         ' using ' // to_text(x) // ':3 with ' // look // ' lc rgb ' // colours(pen) // " title '" // &
-         self%curves(this%which)%name // "'"
+      call begin_drawing(self)
+      self%drawn = self%drawn // ' using ' // to_text(x) // ':3 with ' // look // ' lc rgb ' // &
+         colours(pen) // " title '" // self%curves(this%which)%name // "'"
    end subroutine draw
 
 
@@ -468,9 +528,44 @@ contains
       text = text // nl
       do i = 1, size(self%curves)
          if (i > 1) text = text // nl // nl
-         text = text // rows(self%curves(i))
+         if (allocated(self%curves(i)%cells)) then
+            text = text // image_rows(self%curves(i))
+         else
+            text = text // rows(self%curves(i))
+         end if
       end do
    end function csv
+
+
+   !> The cells of an image, from left to right and from below upwards
+   pure function image_rows(self) result(text)
+      type(curve), intent(in) :: self
+      character(len=:), allocatable :: text
+      ! Of a real number and of a whole one, with their commas
+      integer, parameter :: widths(2) = [18, 12]
+      character(len=widths(1)) :: left(size(self%x)), up
+      character(len=:), allocatable :: row
+      integer :: i, j, k, length
+
+      do i = 1, size(self%x)
+         left(i) = to_text(self%x(i))
+      end do
+      allocate(character(len=size(self%x)*size(self%y)*(len(self%name) + 2*widths(1) + &
+         size(self%cells, 3)*widths(2) + 1)) :: text)
+      length = 0
+      do j = 1, size(self%y)
+         up = to_text(self%y(j))
+         do i = 1, size(self%x)
+            row = self%name // ',' // trim(left(i)) // ',' // trim(up)
+            do k = 1, size(self%cells, 3)
+               row = row // ',' // to_text(self%cells(i, j, k))
+            end do
+            text(length + 1:length + len(row) + 1) = row // nl
+            length = length + len(row) + 1
+         end do
+      end do
+      text = text(:length)
+   end function image_rows
 
 
    pure function rows(self) result(text)

@@ -7,9 +7,12 @@
 !> few periods of it are drawn, of one start or of many, that what rounding adds stays far below a pixel.
 !> Across the attractor, what is left of a start falls by exp(-5.8) in a period.
 module furiko_figure_driven
-   use, intrinsic :: iso_fortran_env, only : wp => real64
+   use, intrinsic :: iso_fortran_env, only : int64, wp => real64
    use furiko, only : driven_orbit, driven_pendulum, driven_periods, driven_rk4, driven_section, driven_state
+   use furiko_cli_store, only : store
    use furiko_figure, only : amplitude, black, blue, broken, column, figure, fixed, orange, solid
+   use furiko_figure_density, only : add_density, angle_range
+   use furiko_figure_table, only : extent_of, longest_name, padded, read_table
    implicit none
    private
    public :: driven_figure, poincare_figure
@@ -93,6 +96,10 @@ contains
 
       associate (unused => amplitudes)
       end associate
+      if (self%from /= '') then
+         call section_figure(self)
+         return
+      end if
       state = [(driven_state(angle=-pi + 2*pi*i/starts), i=1, starts)]
       call driven_section(driven_rk4(steps), spread(driven_by(chaotic), 1, starts), state, forgotten, points)
       angle = points%angle/degree
@@ -110,6 +117,33 @@ contains
       call self%draw(black, style='points pt 7 ps 0.25*scale')
       call self%plot()
    end subroutine poincare_figure
+
+
+   !> The section of a file: the density of its points
+   subroutine section_figure(self)
+      type(figure), intent(inout) :: self
+      type(store) :: rows
+      character(len=longest_name) :: ignored
+      real(wp) :: extent(2, 2), angles(2), rates(2)
+      integer(int64) :: changes
+
+      call read_table(self%from, [character(len=9) :: 'angle_rad', 'rate'], 2, rows, ignored)
+      call extent_of(rows, extent, changes)
+      angles = angle_range(extent(:, 1)/degree)
+      rates = padded(extent(:, 2), 0.01_wp)
+      call self%begin([column('angle_deg', 'angle in degrees, -180 to 180'), &
+         column('rate_over_sqrt_g_by_l', 'angular rate over sqrt(g/l)'), &
+         column('points', 'points of the section in the cell'), &
+         column('shade', 'up to 100 for the fullest cells, 0 for none')], &
+         'Angle and angular rate of driven pendulums at the beginning of periods of the drive, darker ' // &
+         'where they come by more often. Of a chaotic one the points lie on thin layers, ' // &
+         'folded into each other.')
+      call self%panel('angle <θ>  (degrees)', 'angular rate  d<θ>/d<t> / √(<g>/<l>)', angles, rates, &
+         cell=[1, 1, 1, 1])
+      if (angles(2) - angles(1) > 359) call self%say('set xtics 45')
+      call add_density(self, rows, [degree, 1.0_wp], angles, rates, self%pixels(), by_column=.false.)
+      call self%plot()
+   end subroutine section_figure
 
 
    elemental function driven_by(drive) result(pendulum)

@@ -745,8 +745,35 @@ contains
          if (allocated(error)) return
          call check(error, count(basin(:, 1) > 0), 1024)
          if (allocated(error)) return
+         call check_company(error, taylor(amplitudes(i)), points(:found), label(:found), basin(:, 2), arrival)
+         if (allocated(error)) return
       end do
    end subroutine test_robust_basins
+
+
+   !> In another company, where others come first, each start comes to the same at the same time,
+   !> and stays there.
+   subroutine check_company(error, pendulum, points, label, basin, arrival)
+      type(error_type), allocatable, intent(out) :: error
+      type(driven_pendulum), intent(in) :: pendulum
+      !> Attractors of one point each, and what comes to them in order
+      type(driven_state), intent(in) :: points(:)
+      integer, intent(in) :: label(:)
+      integer, intent(in) :: basin(1024)
+      integer, intent(in) :: arrival(1024)
+      type(driven_state) :: state(1024), there(1024)
+      integer :: other(1024), when(1024), i
+
+      state = grid(32, -3.0_wp, 3.0_wp)
+      state = [(state(modulo(391*i, 1024) + 1), i=1, 1024)]
+      call driven_basins(driven_order8(40), pendulum, state, points, label, 1.0e-3_wp, 200, other, when)
+      call check(error, all(other == [(basin(modulo(391*i, 1024) + 1), i=1, 1024)]))
+      if (allocated(error)) return
+      call check(error, all(when == [(arrival(modulo(391*i, 1024) + 1), i=1, 1024)]))
+      if (allocated(error)) return
+      there = [(points(findloc(label, other(i), 1)), i=1, 1024)]
+      call check(error, all(abs(state%angle - there%angle) + abs(state%rate - there%rate) <= 1.0e-3_wp))
+   end subroutine check_company
 
 
    !> What has arrived early, cell by cell; of the end, numbers within three standard errors

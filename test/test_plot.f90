@@ -13,9 +13,17 @@ module test_plot
    public :: collect_plot
 
 
-   character(len=*), parameter :: figures(*) = [character(len=9) :: 'phase', 'motion', 'period', &
+   character(len=*), parameter :: figures(*) = [character(len=11) :: 'phase', 'motion', 'period', &
       'drift', 'converge', 'energy', 'accuracy', 'functions', 'integrals', 'surface', 'spectrum', 'flow', &
       'tension', 'driven', 'poincare']
+   !> Figures that take a second or two by themselves, and a small table for each
+   character(len=*), parameter :: sweeps(*) = [character(len=11) :: 'bifurcation', 'basins', 'staircase', &
+      'exponents']
+   character(len=*), parameter :: tables(*) = [character(len=96) :: &
+      'bifurcation --vary drive --from 1 --to 1.1 --points 8 --transient 20 --periods 9', &
+      'basins --drive 1.4 --grid 8 --transient 60', &
+      'winding --damping 2 --drive 1.5 --frequency 1 --vary torque --from 0 --to 0.5 --points 9', &
+      'lyapunov --vary drive --from 1 --to 1.1 --points 9 --transient 10 --periods 16']
    character(len=*), parameter :: nl = new_line('a')
 
 
@@ -51,6 +59,11 @@ contains
          new_unittest('data', test_data), &
          new_unittest('data-of-the-functions', test_function_data), &
          new_unittest('poincare-points-follow-each-other', test_section), &
+         new_unittest('figures-of-driven-pendulums', test_sweeps), &
+         new_unittest('tables', test_tables), &
+         new_unittest('tables-of-any-length', test_long_tables), &
+         new_unittest('tables-that-are-none', test_bad_tables), &
+         new_unittest('tables-of-ensemble', test_ensemble), &
          new_unittest('words-of-the-data', test_header), &
          new_unittest('words-of-the-picture', test_words), &
          new_unittest('scale', test_scale), &
@@ -68,10 +81,14 @@ contains
       integer :: code, i
 
       call run_program('plot --list', output, errors, code)
-      call check(error, code == 0 .and. line_count(output) == size(figures) .and. errors == '')
+      call check(error, code == 0 .and. line_count(output) == size(figures) + size(sweeps) .and. errors == '')
       if (allocated(error)) return
       do i = 1, size(figures)
          call check(error, index(nl // output, nl // trim(figures(i)) // ' ') > 0, figures(i))
+         if (allocated(error)) return
+      end do
+      do i = 1, size(sweeps)
+         call check(error, index(nl // output, nl // trim(sweeps(i)) // ' ') > 0, sweeps(i))
          if (allocated(error)) return
       end do
       call run_program('plot --help', output, errors, code)
@@ -185,28 +202,42 @@ contains
    subroutine test_formats(error)
       type(error_type), allocatable, intent(out) :: error
       character(len=*), parameter :: forms(*) = ['svg', 'png', 'pdf']
-      character(len=:), allocatable :: errors, extent, file, name, output
+      character(len=:), allocatable :: errors, extent, file, output
       integer :: code, i, j
 
       if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
       if (allocated(error)) return
-      do i = 1, size(figures)
-         do j = 1, size(forms)
-            file = 'x.' // forms(j)
-            name = trim(figures(i)) // ' as ' // forms(j)
-            call run_inside('furiko plot ' // trim(figures(i)) // ' --size 640x480 -o ' // file, &
-               output, errors, code)
-            call check(error, code == 0 .and. errors == '' .and. output == file // nl, &
-               name // ': ' // output // errors)
+      do j = 1, size(forms)
+         do i = 1, size(figures)
+            call draw(trim(figures(i)), '')
             if (allocated(error)) return
-            call check(error, len(contents(work() // '/' // file)) > 5000, name // ' is small')
-            if (allocated(error)) return
-            extent = size_of(forms(j), contents(work() // '/' // file))
-            call check(error, extent == '640x480' .or. forms(j) == 'pdf' .and. extent == 'packed', &
-               name // ': ' // extent)
+         end do
+         do i = 1, size(sweeps)
+            call draw(trim(sweeps(i)), 'furiko driven ' // trim(tables(i)) // ' --steps 16 --format csv | ')
             if (allocated(error)) return
          end do
       end do
+
+   contains
+
+      subroutine draw(name, table)
+         character(len=*), intent(in) :: name
+         !> What writes the table, and a pipe; empty for none
+         character(len=*), intent(in) :: table
+
+         file = 'x.' // forms(j)
+         call run_inside(table // 'furiko plot ' // name // trim(merge(' --from -', '         ', &
+            table /= '')) // ' --size 640x480 -o ' // file, output, errors, code)
+         call check(error, code == 0 .and. errors == '' .and. output == file // nl, &
+            name // ' as ' // forms(j) // ': ' // output // errors)
+         if (allocated(error)) return
+         call check(error, len(contents(work() // '/' // file)) > 5000, name // ' is small')
+         if (allocated(error)) return
+         extent = size_of(forms(j), contents(work() // '/' // file))
+         call check(error, extent == '640x480' .or. forms(j) == 'pdf' .and. extent == 'packed', &
+            name // ' as ' // forms(j) // ': ' // extent)
+      end subroutine draw
+
    end subroutine test_formats
 
 
@@ -415,6 +446,153 @@ contains
          if (allocated(error)) return
       end do
    end subroutine test_section
+
+
+   !> The figures by themselves: points of cycles and exponents that driven.md's table has, the sizes of two
+   !> basins, a step; and an image, so that none of the files is large
+   subroutine test_sweeps(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: programs(*) = [character(len=200) :: &
+         '/^d/ && $2 < 1.066 && $4 {n[$2]++} /^d/ && $2 < 1.0601 && $4 && ($3 + 14.127)^2 < 0.01 ' // &
+            '{near = 1} END {for (x in n) if (n[x] > 2) wide++; print wide + 0, near + 0}', &
+         '/^b/ {n++; one += $4 == 1} /^p.*1,/ && ($2 + 4.1412)^2 + ($3 - 0.93428)^2 < 1e-7 {near = 1} ' // &
+            'END {print (one/n > 0.607 && one/n < 0.614), near + 0}', &
+         '/^locked at 1.2/ && $3 == 0.5 && $2 > 0.97 && $2 < 1.11 {n++} /^w/ && $3 < 0 {bad++} ' // &
+            'END {print n, bad + 0}', &
+         '/^e/ && ($2 - 1.35)^2 < 1e-6 {n = 1; if (($3 + 0.25)^2 > 1e-6) bad++} END {print n, bad + 0}']
+      character(len=*), parameter :: answers(*) = [character(len=3) :: '0 1', '1 1', '2 0', '1 0']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, size(sweeps)
+         call run_inside('furiko plot ' // trim(sweeps(i)) // ' --data -o x.svg && grep -c "<image" ' // &
+         'x.svg; ' // &
+            'awk -F, ''' // trim(programs(i)) // ''' x.csv; rm x.csv x.gp', output, errors, code)
+         call check(error, output, merge('1', '0', i < 3) // nl // trim(answers(i)) // nl // 'x.svg' // nl, &
+            trim(sweeps(i)) // ': ' // output // errors)
+         if (allocated(error)) return
+         call check(error, len(contents(work() // '/x.svg')) < 200000, trim(sweeps(i)) // ' is large')
+         if (allocated(error)) return
+      end do
+   end subroutine test_sweeps
+
+
+   !> Each row of a table is in the picture, in the columns that the header names, wherever they stand, and
+   !> the axis is called what the header calls it. Rows of NaN are left out, and said.
+   subroutine test_tables(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      do i = 1, 2
+         call run_inside('furiko driven ' // trim(tables(i)) // ' --steps 16 --format csv >t; furiko ' // &
+         'plot ' // &
+            trim(sweeps(i)) // ' --from t --data -o x.svg; awk -F, ''/^[db][ea]/ {n += /^d/ ? $4 : 1} ' // &
+            'END ' // &
+            '{print n}'' x.csv; rm *', output, errors, code)
+         call check(error, output, trim(merge('72', '64', i == 1)) // nl, trim(sweeps(i)) // errors)
+         if (allocated(error)) return
+      end do
+      call run_inside('printf "volt_age;x;winding;angle_rad\n1;0;0.5;1\n2;0;0.5;nan\n3;0;0.5;-1\n" >t; ' // &
+         'furiko plot staircase --from t --data -o x.svg; grep -c ">volt age<" x.svg; grep "^l" x.csv; ' // &
+         'furiko plot bifurcation --from t --data -o x.svg; awk -F, ''/^d/ && $4 ' // &
+         '{print $2, ($3 > 0)}'' x.csv; rm *', output, errors, code)
+      call check(error, output, '1' // nl // 'locked at 1/2,1.000000000E+000,5.000000000E-001' // nl // &
+         'locked at 1/2,3.000000000E+000,5.000000000E-001' // nl // '3.000000000E+000 0' // nl // &
+         '1.000000000E+000 1' // nl, output // errors)
+      if (allocated(error)) return
+      call check(error, errors, 'furiko plot: --from t: rows of NaN, of members that ran away, are left ' // &
+      'out: 1' &
+         // nl)
+   end subroutine test_tables
+
+
+   !> More rows than are kept in memory, and more points of a curve than a picture has room for
+   subroutine test_long_tables(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      if (.not. have_gnuplot()) call skip_test(error, 'no gnuplot')
+      if (allocated(error)) return
+      call run_inside('awk ''BEGIN {print "drive,angle_rad,exponent_1,rate"; for (i = 0; i < 300000; ' // &
+      'i++) ' // &
+         'print int(i/100), sin(i), (i % 7) - 3, cos(i)}'' OFS=, >t; for figure in bifurcation poincare ' // &
+         'exponents; do furiko plot $figure --from t --data -o x.svg; awk -F, ''/^d/ {n += $4} /^e/ ' // &
+         '{n++; ' // &
+         'if ($3 == 3) high++} END {print n, high + 0}'' x.csv; done; rm *', output, errors, code)
+      call check(error, output // errors, '300000 0' // nl // '300000 0' // nl // '1388 694' // nl)
+   end subroutine test_long_tables
+
+
+   !> What is no table of the figure: code 2, one line, and no file is touched
+   subroutine test_bad_tables(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: bad(*) = [character(len=72) :: '', 'drive,angle_rad', '1,2', &
+         'drive,rate\n1,2', 'angle_rad,rate\n1,2', 'drive,angle_rad\n1,x', 'drive,angle_rad\n1', &
+         'drive,angle_rad\n1,2,3', 'drive,angle_rad\n1,', 'drive,angle_rad\n1,nan', &
+         'drive,angle_rad\n1,1e999', '<x>,angle_rad\n1,2', '1e5,angle_rad\n1,2', ',angle_rad\n1,2', &
+         'a_very_long_name_of_a_column,angle_rad\n1,2', '{"drive": 1}']
+      character(len=*), parameter :: commands(*) = [character(len=72) :: 'phase --from t -o x.svg', &
+         'poincare --from= -o x.svg', 'basins --from t -o x.svg', 'basins --from u -o x.svg', &
+         'bifurcation --from "$(printf "a\nb")" -o x.svg', 'bifurcation --from - -o x.svg <v']
+      character(len=:), allocatable :: errors, output
+      integer :: code, i
+
+      do i = 1, size(bad)
+         call run_inside('echo old >x.svg; printf "' // trim(bad(i)) // '" | furiko plot bifurcation ' // &
+            '--from - -o x.svg; code=$?; cat x.svg; (exit $code)', output, errors, code)
+         call check(error, code == 2 .and. output == 'old' // nl // 'x.svg' // nl .and. &
+            line_count(errors) == 1 .and. index(errors, 'furiko plot: standard input') == 1, &
+            trim(bad(i)) // ': ' // output // errors)
+         if (allocated(error)) return
+      end do
+      do i = 1, size(commands)
+         call run_inside('printf "angle_rad,rate,attractor\n1,1,1\n2,1,1\n1,2,1\n" >t; ' // &
+            'printf "angle_rad,rate,attractor\n1,1,1\n2,1,1\n1,2,1\n2,3,1\n" >u; printf ' // &
+            '"\211HDF\r\n\032\n" >v; ' // &
+            'furiko plot ' // trim(commands(i)) // '; code=$?; rm t u v; (exit $code)', output, errors, code)
+         call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1 .and. &
+            index(errors, 'furiko plot: ') == 1, trim(commands(i)) // ': ' // output // errors)
+         if (allocated(error)) return
+      end do
+      call run_inside('furiko plot bifurcation --from none -o x.svg', output, errors, code)
+      call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1 .and. &
+         index(errors, 'furiko: cannot read none: ') == 1, errors)
+      if (allocated(error)) return
+      call run_inside('furiko plot bifurcation --from . -o x.svg', output, errors, code)
+      call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1, errors)
+   end subroutine test_bad_tables
+
+
+   !> An HDF5 file goes through `ensemble table`, found in the PATH; it says itself what it cannot do. The
+   !> name of the file is text to the shell.
+   subroutine test_ensemble(error)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: start = 'mkdir bin; printf "#!/bin/sh\n[ \"\$1\" = table ] && . ' // &
+      'bin/it\n" ' // &
+         '>bin/ensemble; chmod +x bin/ensemble; printf "\211HDF\r\n\032\nrest" >"it''s \$(touch y).h5"; '
+      character(len=*), parameter :: draw = 'PATH=$PWD/bin:$PATH furiko plot bifurcation --from ' // &
+         '"it''s \$(touch y).h5" -o x.svg; code=$?; rm -r bin *.h5; (exit $code)'
+      character(len=:), allocatable :: errors, output
+      integer :: code
+
+      call run_inside(start // 'echo "echo oops: \$2 >&2; exit 1" >bin/it; ' // draw, output, errors, code)
+      call check(error, code == 2 .and. output == '' .and. errors == "oops: it's $(touch y).h5" // nl, &
+         output // errors)
+      if (allocated(error)) return
+      call run_inside(start // 'rm bin/ensemble; ' // draw, output, errors, code)
+      call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1 .and. &
+         index(errors, 'no ensemble here') > 0, output // errors)
+      if (allocated(error) .or. .not. have_gnuplot()) return
+      call run_inside(start // 'echo "printf ''drive,angle_rad\n1,2\n2,1\n''" >bin/it; ' // draw, output, &
+         errors, code)
+      call check(error, code == 0 .and. output == 'x.svg' // nl .and. errors == '', output // errors)
+   end subroutine test_ensemble
 
 
    !> The data begin with what they are, the command as the shell takes it, and a line for each column.

@@ -80,30 +80,44 @@ def weighted(start, terms):
     return [*lines, line]
 
 
-def procedure(name, method):
-    """The text of a method"""
+def sums(method):
+    """By stage: where it is, the terms of the position and those of the rate"""
     a = {i: {j: value(text) for j, text in row.items()} for i, row in method.items()}
-    last = max(a)
-    text = [f"   !> What stage i of {last - 1} sees; i = {last} is the end of the step",
+    for i, row in a.items():
+        squared = {}
+        for m, weight in row.items():
+            for j, more in a.get(m, {}).items():
+                squared[j] = squared.get(j, mpf(0)) + weight*more
+        # Weights of published numbers that cancel but for their last digits are none.
+        yield i, sum(row.values()), [(j, squared[j]) for j in sorted(squared) if abs(squared[j]) > mpf(10)**-24], \
+            sorted(row.items())
+
+
+def statements(indent, names, c, squared, row):
+    """What a stage sees"""
+    drift = "x + v" if abs(c - 1) < mpf(10)**-24 else f"x + {literal(c)}*v"
+    return weighted(f"{indent}{names[0]} = " + (f"({drift})" if squared else drift), squared) + \
+        weighted(f"{indent}{names[1]} = v", row)
+
+
+def procedures(name, method):
+    """The text of a method"""
+    *stages, last = sums(method)
+    text = [f"   !> What stage i = 2 ... {last[0] - 1} sees",
             f"   pure subroutine reach_{name}(i, x, v, k, position, rate)",
             "      integer, intent(in) :: i",
             "      real(wp), intent(in) :: x(block)", "      real(wp), intent(in) :: v(block)",
             "      real(wp), intent(in) :: k(block, most_stages)",
             "      real(wp), intent(out) :: position(block)", "      real(wp), intent(out) :: rate(block)", "",
-            "      select case (i)", "      case (1)", "         position = x", "         rate = v"]
-    for i in range(2, last + 1):
-        squared = {}
-        for m, weight in a[i].items():
-            for j, more in a.get(m, {}).items():
-                squared[j] = squared.get(j, mpf(0)) + weight*more
-        c = sum(a[i].values())
-        # Weights of published numbers that cancel but for their last digits are none.
-        terms = [(j, squared[j]) for j in sorted(squared) if abs(squared[j]) > mpf(10)**-24]
-        text += [f"      case ({i})" if i < last else "      case default"]
-        drift = "x + v" if abs(c - 1) < mpf(10)**-24 else f"x + {literal(c)}*v"
-        text += weighted("         position = " + (f"({drift})" if terms else drift), terms)
-        text += weighted("         rate = v", sorted(a[i].items()))
-    return [*text, "      end select", f"   end subroutine reach_{name}"]
+            "      select case (i)"]
+    for i, *stage in stages:
+        text += [f"      case ({i})" if i < last[0] - 1 else "      case default"]
+        text += statements(" "*9, ("position", "rate"), *stage)
+    return [*text, "      end select", f"   end subroutine reach_{name}", "", "",
+            "   !> To the end of the step", f"   pure subroutine finish_{name}(k, x, v)",
+            "      real(wp), intent(in) :: k(block, most_stages)",
+            "      real(wp), intent(inout) :: x(block)", "      real(wp), intent(inout) :: v(block)", "",
+            *statements(" "*6, ("x", "v"), *last[1:]), f"   end subroutine finish_{name}"]
 
 
 def nodes(name, method):
@@ -119,7 +133,7 @@ def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
     head = ["   ! Written by make_driven_stages.py"]
     both = (("rk4", RK4), ("order8", ORDER8))
-    text = head + [line for i, method in enumerate(both) for line in ([""]*(2*(i > 0)) + procedure(*method))]
+    text = head + [line for i, method in enumerate(both) for line in ([""]*(2*(i > 0)) + procedures(*method))]
     (folder/"furiko_driven_stages.inc").write_text("\n".join(text) + "\n")
     text = head + [line for method in both for line in nodes(*method)]
     (folder/"furiko_driven_nodes.inc").write_text("\n".join(text) + "\n")

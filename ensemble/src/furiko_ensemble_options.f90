@@ -11,7 +11,7 @@ module furiko_ensemble_options
 
    !> What is asked for
    type :: request
-      !> A subject, status, join or help
+      !> A subject, status, table, join or help
       character(len=:), allocatable :: command
       !> FILE, and what else has no name
       character(len=:), allocatable :: path
@@ -29,27 +29,34 @@ module furiko_ensemble_options
       character(len=12) :: name
       character(len=12) :: value
       character(len=72) :: about
+      !> The subjects that have it; all of them if empty
+      character(len=37) :: only = ''
    end type option
 
+   character(len=*), parameter :: varied = 'bifurcation lyapunov winding', started = 'section ' // varied
    type(option), parameter :: options(*) = [ &
-      option('--vary', 'drive', 'damping, quadratic, torque, drive, frequency or phase (rad)'), &
-      option('--from', '', 'its first value'), &
-      option('--to', '', 'its last value'), &
-      option('--points', '', 'how many values: members of the ensemble'), &
       option('--damping', '0.5', 'linear damping; 1/q'), &
       option('--quadratic', '0', 'quadratic damping'), &
       option('--torque', '0', 'a constant torque'), &
       option('--drive', '1.2', 'amplitude of the drive'), &
       option('--frequency', '2/3', 'of the drive'), &
       option('--phase', '0', 'of the drive at the time 0, degrees'), &
-      option('--angle', '0', 'at the time 0, degrees'), &
-      option('--rate', '0', 'at the time 0'), &
       option('--transient', '500', 'periods of the drive that are left out first'), &
-      option('--periods', '100', 'periods that are stored (bifurcation) or counted'), &
+      option('--periods', '100', 'periods that are stored (sections), counted, or waited (basins)'), &
       option('--method', 'order8', 'order8, or rk4'), &
       option('--steps', '96', 'steps a period; 96 for 12 digits by order8, 24 for a picture'), &
       option('--chunk', '4096', 'members that are computed, written and marked together'), &
-      option('--part', '1/1', 'p/P: only the p-th of P parts of the chunks, without MPI')]
+      option('--part', '1/1', 'p/P: only the p-th of P parts of the chunks, without MPI'), &
+      option('--points', '', 'members: how many values, or starts of a section', started), &
+      option('--angle', '0', 'at the time 0, degrees; the first one of a section''s starts', started), &
+      option('--rate', '0', 'at the time 0', started), &
+      option('--vary', 'drive', 'damping, quadratic, torque, drive, frequency or phase (rad)', varied), &
+      option('--from', '', 'its first value', varied), &
+      option('--to', '', 'its last value', varied), &
+      option('--grid', '64', 'N starts of each angle and rate, or NxM of N angles and M rates', 'basins'), &
+      option('--angles', '-180,180', 'LOW,HIGH: edges of the angles of the starts, degrees', 'basins'), &
+      option('--rates', '-3,3', 'LOW,HIGH: edges of the rates', 'basins'), &
+      option('--cycle', '8', 'the longest cycle that is looked for', 'winding basins')]
    integer, parameter :: longest_word = 4096
 
 
@@ -84,7 +91,11 @@ contains
             call get_command_argument(i, value)
             if (which == 0) asked%trouble = trim(word) // ': no such option; see ensemble help'
             if (value == '') asked%trouble = trim(word) // ': it wants a value'
-            if (which > 0) values(which) = value
+            if (which > 0) then
+               values(which) = value
+               if (.not. has(asked%command, options(which))) asked%trouble = trim(word) // ': ' // &
+                  asked%command // ' has no such option'
+            end if
          else if (asked%path == '') then
             asked%path = trim(word)
          else
@@ -92,7 +103,8 @@ contains
          end if
       end do
       if (asked%path == '' .and. asked%trouble == '') asked%trouble = 'which file?'
-      if (asked%trouble /= '' .or. asked%command == 'status') return
+      if (asked%trouble /= '' .or. any(asked%command == [character(len=6) :: 'status', &
+         'table'])) return
       if (any(subjects == asked%command)) then
          call understand(values, asked)
       else
@@ -110,28 +122,35 @@ contains
 
       associate (s => asked%asked)
          s%subject = asked%command
-         s%vary = findloc(constants == text_of('--vary'), .true., 1)
-         if (s%vary == 0) call reject('--vary', 'damping, quadratic, torque, drive, frequency or phase')
          do i = 1, size(constants)
             s%constant(i) = number_of('--' // trim(constants(i)))
          end do
-         s%from = number_of('--from')
-         s%to = number_of('--to')
-         s%angle = number_of('--angle')
-         s%rate = number_of('--rate')
          s%method = trim(text_of('--method'))
          if (s%method /= 'order8' .and. s%method /= 'rk4') call reject('--method', 'order8 or rk4')
-         s%points = whole_of('--points', 1_int64, 10_int64**12)
          s%steps = int(whole_of('--steps', 1_int64, 10_int64**6))
          s%transient = int(whole_of('--transient', 0_int64, 10_int64**9))
          s%periods = int(whole_of('--periods', 1_int64, 10_int64**9))
+         s%cycle = int(whole_of('--cycle', 1_int64, 1024_int64))
          s%chunk = int(whole_of('--chunk', 1_int64, 10_int64**7))
+         if (s%subject == 'basins') then
+            call take_plane()
+         else
+            s%angle = number_of('--angle')
+            s%rate = number_of('--rate')
+            s%points = whole_of('--points', 1_int64, 10_int64**12)
+         end if
+         if (index(varied, s%subject) > 0) then
+            s%vary = findloc(constants == text_of('--vary'), .true., 1)
+            if (s%vary == 0) call reject('--vary', 'damping, quadratic, torque, drive, frequency or phase')
+            s%from = number_of('--from')
+            s%to = number_of('--to')
+         end if
          select case (s%subject)
          case ('lyapunov')
             if (s%periods < 16) call reject('--periods', '16 or more, for the error')
-         case ('bifurcation')
+         case ('section', 'bifurcation')
             if (int(s%periods, int64)*s%chunk > 10_int64**8) call reject('--chunk', &
-               'periods times chunk up to 100000000, which is 1.6 GB')
+               'periods times chunk up to 100000000, which is 2.4 GB')
          case default
             continue
          end select
@@ -144,6 +163,31 @@ contains
 
 
    contains
+
+
+      subroutine take_plane()
+         character(len=len(values)) :: text
+         real(wp) :: both(2)
+
+         associate (s => asked%asked)
+            text = text_of('--grid')
+            both = pair_of(trim(text) // repeat('x' // trim(text), merge(0, 1, scan(text, 'x') > 0)), 'x')
+            if (any(both < 1 .or. both > 1.0e6_wp .or. abs(both - aint(both)) > 0)) then
+               call reject('--grid', 'N or NxM, whole numbers from 1 to 1000000')
+               return
+            end if
+            s%grid = int(both, int64)
+            s%points = product(s%grid)
+            s%angles = pair_of(text_of('--angles'), ',')
+            if (.not. (s%angles(1) < s%angles(2) .and. maxval(abs(s%angles)) <= 360)) then
+               call reject('--angles', 'LOW,HIGH, LOW < HIGH, -360 to 360 degrees')
+            end if
+            s%rates = pair_of(text_of('--rates'), ',')
+            if (.not. (s%rates(1) < s%rates(2) .and. maxval(abs(s%rates)) <= 2.0_wp**20)) then
+               call reject('--rates', 'LOW,HIGH, LOW < HIGH, up to 2^20')
+            end if
+         end associate
+      end subroutine take_plane
 
 
       pure function text_of(name) result(text)
@@ -195,6 +239,32 @@ contains
    end subroutine understand
 
 
+   !> Whether a command has an option
+   pure function has(command, one)
+      character(len=*), intent(in) :: command
+      type(option), intent(in) :: one
+      logical :: has
+
+      has = one%only == '' .or. all(subjects /= command) .or. index(one%only, command) > 0
+   end function has
+
+
+   !> Two numbers with a mark between them; zeros where they are none
+   function pair_of(text, mark) result(both)
+      character(len=*), intent(in) :: text
+      character(len=1), intent(in) :: mark
+      real(wp) :: both(2)
+      real(wp) :: first(2), second(2)
+      integer :: at
+
+      at = index(text // mark, mark)
+      first = fraction_of(text(:min(at - 1, len(text))))
+      second = fraction_of(text(min(at + 1, len(text) + 1):))
+      both = [first(1)/first(2), second(1)/second(2)]
+      if (.not. all(abs(both) <= huge(both))) both = 0.0_wp
+   end function pair_of
+
+
    !> Both numbers of a fraction, as 2/3; the second is 1 where there is no bar, and 0 where they are none
    function fraction_of(text) result(both)
       character(len=*), intent(in) :: text
@@ -214,22 +284,24 @@ contains
    !> Help
    subroutine usage(unit)
       integer, intent(in) :: unit
+      type(option) :: one
+      character(len=:), allocatable :: line
       integer :: i
 
-      write(unit, '(a)') 'ensemble SUBJECT FILE --from X --to X --points N [OPTION VALUE ...] [--quiet]', &
-         'ensemble status FILE', 'ensemble join FILE PART ...', '', &
-         'Many driven, damped pendulums, one constant of which goes from one value to another, into one', &
-         'HDF5 file. SUBJECT is bifurcation (sections of each member), lyapunov (both exponents) or', &
-         'winding (turns a period). The same command again goes on where it was stopped. status tells', &
-         'how far a file has come, also while it is written; join puts files of parts together.', &
-         'doc/ensemble.md says more.', ''
+      write(unit, '(a)') 'ensemble SUBJECT FILE [OPTION VALUE ...] [--quiet]', &
+         'ensemble status FILE', 'ensemble table FILE', 'ensemble join FILE PART ...', '', &
+         'Many driven, damped pendulums into one HDF5 file. SUBJECT is section (of starts all around),', &
+         'bifurcation (sections while a constant goes from one value to another), lyapunov (both', &
+         'exponents), winding (turns a period) or basins (which attractor each start of a plane comes', &
+         'to, and when). The same command again goes on where it was stopped. status tells how far a', &
+         'file has come, also while it is written; table writes what it has as CSV, with the columns of', &
+         'furiko driven; join puts files of parts together. doc/ensemble.md says more.', ''
       do i = 1, size(options)
-         if (options(i)%value == '') then
-            write(unit, '(a)') '   ' // options(i)%name // ' ' // trim(options(i)%about)
-         else
-            write(unit, '(a)') '   ' // options(i)%name // ' ' // trim(options(i)%about) // ' [' // &
-               trim(options(i)%value) // ']'
-         end if
+         one = options(i)
+         if (one%only /= options(max(i - 1, 1))%only) write(unit, '(a)') 'Of ' // trim(one%only) // ':'
+         line = '   ' // one%name // ' ' // trim(one%about)
+         if (one%value /= '') line = line // ' [' // trim(one%value) // ']'
+         write(unit, '(a)') line
       end do
    end subroutine usage
 end module furiko_ensemble_options

@@ -28,11 +28,14 @@ int ensemble_open(const char *path, int writing, int *descriptor)
    return *descriptor < 0 ? errno : 0;
 }
 
+/* The lock is of one byte that no file has: MPI-IO by ROMIO locks the bytes that it writes, and would wait for ever. */
+static const struct flock far_byte = {.l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = (off_t)1 << 62, .l_len = 1};
+
 /* A lock of the open file, since a lock of the process would end as soon as HDF5 closes the file once.
  * -1: another process has it. */
 int ensemble_lock(int descriptor)
 {
-   struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+   struct flock lock = far_byte;
    if (fcntl(descriptor, F_OFD_SETLK, &lock) == 0)
       return 0;
    return errno == EAGAIN || errno == EACCES ? -1 : errno;
@@ -40,7 +43,7 @@ int ensemble_lock(int descriptor)
 
 int ensemble_is_locked(int descriptor)
 {
-   struct flock lock = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+   struct flock lock = far_byte;
    return fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
@@ -74,6 +77,21 @@ int ensemble_remove(const char *path) { return unlink(path) < 0 ? errno : 0; }
 int ensemble_exists(const char *path) { return access(path, F_OK) < 0 ? errno : 0; }
 
 int ensemble_is_terminal(int descriptor) { return isatty(descriptor); }
+
+/* All of it to standard output */
+int ensemble_write(const char *text, long long bytes)
+{
+   while (bytes > 0) {
+      const ssize_t written = write(1, text, bytes);
+      if (written < 0 && errno != EINTR)
+         return errno;
+      if (written > 0) {
+         text += written;
+         bytes -= written;
+      }
+   }
+   return 0;
+}
 
 void ensemble_why(int number, char *text, int size) { snprintf(text, size, "%s", strerror(number)); }
 

@@ -7,7 +7,7 @@ module furiko_ensemble_system
    implicit none
    private
    public :: begin_system, end_system, exists, file_lock, file_open, file_remove, file_rename, file_reserve, &
-      file_sync, is_locked, is_terminal, reason, seconds, to_read, to_write, to_make
+      file_sync, is_locked, is_terminal, output_write, reason, seconds, to_read, to_write, to_make
 
 
    !> What a file is opened for
@@ -86,6 +86,14 @@ module furiko_ensemble_system
          character(kind=c_char), intent(in) :: path(*)
          integer(c_int) :: failed
       end function c_exists
+
+      function c_write(text, bytes) result(failed) bind(c, name='ensemble_write')
+         import :: c_char, c_int, c_long_long
+         implicit none
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long_long), value :: bytes
+         integer(c_int) :: failed
+      end function c_write
 
       subroutine c_why(number, text, size) bind(c, name='ensemble_why')
          import :: c_char, c_int
@@ -167,6 +175,15 @@ contains
 
       there = c_exists(path // c_null_char) == 0
    end function exists
+
+
+   !> Text to standard output, all of it
+   function output_write(text) result(failed)
+      character(len=*), intent(in) :: text
+      integer(c_int) :: failed
+
+      failed = c_write(text, len(text, c_long_long))
+   end function output_write
 
 
    !> What an errno means

@@ -15,6 +15,10 @@ module furiko_driven_basins
    public :: driven_attractors, driven_basins, driven_uncertainty
 
 
+   !> Starts of [[driven_basins]] that a thread takes at a time
+   integer, parameter :: company = 4*driven_block
+
+
 contains
 
 
@@ -103,7 +107,7 @@ contains
       type(driven_scheme), intent(in) :: scheme
       !> Constants of all
       type(driven_pendulum), intent(in) :: pendulum
-      !> Starts, and where they are when all of a block have come
+      !> Starts, and where they are when they have come
       type(driven_state), intent(inout) :: state(:)
       !> Points of the attractors, as of [[driven_attractors]]
       type(driven_state), intent(in) :: points(:)
@@ -120,8 +124,8 @@ contains
       integer :: i, last
 
       !$omp parallel do private(last) schedule(dynamic)
-      do i = 1, size(state), driven_block
-         last = min(i + driven_block - 1, size(state))
+      do i = 1, size(state), company
+         last = min(i + company - 1, size(state))
          call settle(scheme, pendulum, state(i:last), points, label, tolerance, periods, basin(i:last), &
             arrival(i:last))
       end do
@@ -129,7 +133,8 @@ contains
    end subroutine driven_basins
 
 
-   !> A block of starts
+   !> Starts that go side by side. Who has come makes room: the last of them would hold up all others of a
+   !> block, which takes twice as long where transients are long.
    pure subroutine settle(scheme, pendulum, state, points, label, tolerance, periods, basin, arrival)
       type(driven_scheme), intent(in) :: scheme
       type(driven_pendulum), intent(in) :: pendulum
@@ -140,24 +145,49 @@ contains
       integer, intent(in) :: periods
       integer, intent(out) :: basin(:)
       integer, intent(out) :: arrival(:)
-      type(driven_pendulum) :: same(driven_block)
-      integer :: i, j
+      type(driven_pendulum) :: same(company)
+      type(driven_state) :: going(company)
+      !> Which of the starts each of those is that still go, and where it has come
+      integer :: which(company), come(company)
+      integer :: i, j, n
 
       same = pendulum
       basin = 0
       arrival = -1
+      n = size(state)
+      going(:n) = state
+      which(:n) = [(j, j=1, n)]
       do i = 0, periods
-         if (i > 0) call driven_steps(scheme, same(:size(state)), state, 0, scheme%steps)
+         if (i > 0) call driven_steps(scheme, same(:n), going(:n), 0, scheme%steps)
+         come(:n) = 0
          do j = 1, size(points)
-            if (label(j) == 0) cycle
-            where (basin == 0 .and. driven_is_near(state, points(j), tolerance))
-               basin = label(j)
-               arrival = i
-            end where
+            where (come(:n) == 0 .and. driven_is_near(going(:n), points(j), tolerance)) come(:n) = label(j)
          end do
-         if (all(basin /= 0 .or. state%status /= driven_ran)) exit
+         state(which(:n)) = going(:n)
+         basin(which(:n)) = come(:n)
+         where (come(:n) /= 0) arrival(which(:n)) = i
+         call leave(come(:n) /= 0 .or. going(:n)%status /= driven_ran, going, which, n)
+         if (n == 0) exit
       end do
    end subroutine settle
+
+
+   !> Some leave; those behind them close up.
+   pure subroutine leave(leaves, going, which, n)
+      logical, intent(in) :: leaves(:)
+      type(driven_state), intent(inout) :: going(:)
+      integer, intent(inout) :: which(:)
+      integer, intent(out) :: n
+      integer :: i
+
+      n = 0
+      do i = 1, size(leaves)
+         if (leaves(i)) cycle
+         n = n + 1
+         going(n) = going(i)
+         which(n) = which(i)
+      end do
+   end subroutine leave
 
 
    !> The part of starts whose end is uncertain where their angle is known to +-epsilon: one or both of the

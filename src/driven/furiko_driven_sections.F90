@@ -6,7 +6,7 @@
 module furiko_driven_sections
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_driven_scheme, only : driven_scheme
-   use furiko_driven_steps, only : driven_pendulum, driven_periods, driven_state, driven_steps
+   use furiko_driven_steps, only : driven_block, driven_pendulum, driven_periods, driven_state, driven_steps
    implicit none
    private
    public :: driven_orbit, driven_section
@@ -56,13 +56,18 @@ contains
       integer, intent(in) :: transient
       !> Points of the section, as many a member as there are rows: (points, members)
       type(driven_state), intent(out) :: points(:, :)
-      integer :: i
+      integer :: i, last, j
 
       call driven_periods(scheme, pendulum, state, transient)
-      do i = 1, size(points, 1)
-         call driven_periods(scheme, pendulum, state, 1)
-         points(i, :) = state
+      !$omp parallel do private(last, j) schedule(dynamic)
+      do i = 1, size(state), driven_block
+         last = min(i + driven_block - 1, size(state))
+         do j = 1, size(points, 1)
+            call driven_steps(scheme, pendulum(i:last), state(i:last), 0, scheme%steps)
+            points(j, i:last) = state(i:last)
+         end do
       end do
+      !$omp end parallel do
    end subroutine driven_section
 end module furiko_driven_sections
 ! rooms: 3759241635

@@ -62,11 +62,10 @@ module furiko_driven_steps
 
    ! Rates and constants are counted in steps: with the step as the unit of time, b h, c, I h^2, g h^2.
    type :: lanes
-      real(wp), dimension(driven_block) :: angle, rate, turns, h, gravity, linear, quadratic, torque, &
-         even, odd
+      !> Of the members (0) and of columns of the tangent map
+      real(wp), dimension(driven_block, 0:2) :: angle, rate
+      real(wp), dimension(driven_block) :: turns, h, gravity, linear, quadratic, torque, even, odd
       logical :: left(driven_block)
-      !> Columns of the tangent map
-      real(wp) :: angles(driven_block, 2), rates(driven_block, 2)
    end type lanes
 
    integer, parameter :: block = driven_block, most_stages = 12
@@ -225,8 +224,8 @@ contains
             x%torque(i) = h**2*p%torque
             x%even(i) = h**2*p%amplitude*cos(p%phase)
             x%odd(i) = -h**2*p%amplitude*sin(p%phase)
-            x%angle(i) = state(i)%angle
-            x%rate(i) = h*state(i)%rate
+            x%angle(i, 0) = state(i)%angle
+            x%rate(i, 0) = h*state(i)%rate
          end associate
       end do
    end subroutine load
@@ -247,8 +246,6 @@ contains
       x%even = 0.0_wp
       x%odd = 0.0_wp
       x%left = .true.
-      x%angles = 0.0_wp
-      x%rates = 0.0_wp
    end function resting
 
 
@@ -273,8 +270,8 @@ contains
 
       do i = 1, size(columns, 3)
          do j = 1, min(size(columns, 2), 2)
-            x%angles(i, j) = columns(1, j, i)
-            x%rates(i, j) = x%h(i)*columns(2, j, i)
+            x%angle(i, j) = columns(1, j, i)
+            x%rate(i, j) = x%h(i)*columns(2, j, i)
          end do
       end do
    end subroutine load_columns
@@ -289,7 +286,7 @@ contains
          if (x%left(i)) then
             state(i) = driven_state(nan, nan, state(i)%turns, driven_left)
          else
-            state(i) = driven_state(x%angle(i), x%rate(i)/x%h(i), nint(x%turns(i), int64), driven_ran)
+            state(i) = driven_state(x%angle(i, 0), x%rate(i, 0)/x%h(i), nint(x%turns(i), int64), driven_ran)
          end if
       end do
    end subroutine store
@@ -302,8 +299,8 @@ contains
 
       do i = 1, size(columns, 3)
          do j = 1, min(size(columns, 2), 2)
-            columns(1, j, i) = x%angles(i, j)
-            columns(2, j, i) = x%rates(i, j)/x%h(i)
+            columns(1, j, i) = x%angle(i, j)
+            columns(2, j, i) = x%rate(i, j)/x%h(i)
          end do
       end do
    end subroutine store_columns
@@ -336,48 +333,51 @@ contains
       integer, intent(in) :: tangents
       type(lanes), intent(inout) :: x
       real(wp) :: k(block, most_stages, 0:2)
-      real(wp), dimension(block) :: position, rate, stiffness, drag
+      real(wp), dimension(block, 0:2) :: angle, rate
       integer :: i, j
 
-      do i = 1, stages
-         call reach(stages, i, x%angle, x%rate, k(:, :, 0), position, rate)
-         if (tangents == 0) then
-            call accelerate(x, wave(:, i), position, rate, k(:, i, 0))
-         else
-            call differentiate(x, wave(:, i), position, rate, k(:, i, 0), stiffness, drag)
-         end if
-         do j = 1, tangents
-            call reach(stages, i, x%angles(:, j), x%rates(:, j), k(:, :, j), position, rate)
-            k(:, i, j) = stiffness*position + drag*rate
+      call slopes(x, wave(:, 1), tangents, x%angle, x%rate, 1, k)
+      do i = 2, stages
+         do j = 0, tangents
+            if (stages == most_stages) then
+               call reach_order8(i, x%angle(:, j), x%rate(:, j), k(:, :, j), angle(:, j), rate(:, j))
+            else
+               call reach_rk4(i, x%angle(:, j), x%rate(:, j), k(:, :, j), angle(:, j), rate(:, j))
+            end if
          end do
+         call slopes(x, wave(:, i), tangents, angle, rate, i, k)
       end do
-      call reach(stages, stages + 1, x%angle, x%rate, k(:, :, 0), position, rate)
-      x%angle = position
-      x%rate = rate
-      do j = 1, tangents
-         call reach(stages, stages + 1, x%angles(:, j), x%rates(:, j), k(:, :, j), position, rate)
-         x%angles(:, j) = position
-         x%rates(:, j) = rate
+      do j = 0, tangents
+         if (stages == most_stages) then
+            call finish_order8(k(:, :, j), x%angle(:, j), x%rate(:, j))
+         else
+            call finish_rk4(k(:, :, j), x%angle(:, j), x%rate(:, j))
+         end if
       end do
    end subroutine step
 
 
-   !> What a stage sees
-   pure subroutine reach(stages, i, x, v, k, position, rate)
-      integer, intent(in) :: stages
+   !> The accelerations of a stage, of the members and of their tangent vectors
+   pure subroutine slopes(x, wave, tangents, angle, rate, i, k)
+      type(lanes), intent(in) :: x
+      real(wp), intent(in) :: wave(2)
+      integer, intent(in) :: tangents
+      real(wp), intent(in) :: angle(block, 0:2)
+      real(wp), intent(in) :: rate(block, 0:2)
       integer, intent(in) :: i
-      real(wp), intent(in) :: x(block)
-      real(wp), intent(in) :: v(block)
-      real(wp), intent(in) :: k(block, most_stages)
-      real(wp), intent(out) :: position(block)
-      real(wp), intent(out) :: rate(block)
+      real(wp), intent(inout) :: k(block, most_stages, 0:2)
+      real(wp), dimension(block) :: stiffness, drag
+      integer :: j
 
-      if (stages == most_stages) then
-         call reach_order8(i, x, v, k, position, rate)
+      if (tangents == 0) then
+         call accelerate(x, wave, angle(:, 0), rate(:, 0), k(:, i, 0))
       else
-         call reach_rk4(i, x, v, k, position, rate)
+         call differentiate(x, wave, angle(:, 0), rate(:, 0), k(:, i, 0), stiffness, drag)
       end if
-   end subroutine reach
+      do j = 1, tangents
+         k(:, i, j) = stiffness*angle(:, j) + drag*rate(:, j)
+      end do
+   end subroutine slopes
 
 
    !> The accelerations where a stage is; the phase of the drive has this cosine and sine.
@@ -449,10 +449,10 @@ contains
       integer :: i
 
       do i = 1, block
-         if (.not. (is_within(x%angle(i), far) .and. is_within(x%rate(i), far))) then
+         if (.not. (is_within(x%angle(i, 0), far) .and. is_within(x%rate(i, 0), far))) then
             x%left(i) = .true.
-            x%angle(i) = 0.0_wp
-            x%rate(i) = 0.0_wp
+            x%angle(i, 0) = 0.0_wp
+            x%rate(i, 0) = 0.0_wp
             x%gravity(i) = 0.0_wp
             x%linear(i) = 0.0_wp
             x%quadratic(i) = 0.0_wp
@@ -460,8 +460,8 @@ contains
             x%even(i) = 0.0_wp
             x%odd(i) = 0.0_wp
          end if
-         n = nearest_whole(x%angle(i)*(0.5_wp/acos(-1.0_wp)))
-         x%angle(i) = (x%angle(i) - 2.0_wp*n*pi(1)) - 2.0_wp*n*pi(2)
+         n = nearest_whole(x%angle(i, 0)*(0.5_wp/acos(-1.0_wp)))
+         x%angle(i, 0) = (x%angle(i, 0) - 2.0_wp*n*pi(1)) - 2.0_wp*n*pi(2)
          x%turns(i) = x%turns(i) + n
       end do
    end subroutine turn_back
@@ -474,4 +474,4 @@ contains
    include '../arithmetic/furiko_is_within.inc'
    include '../arithmetic/furiko_nearest_whole.inc'
 end module furiko_driven_steps
-! rooms: 1592690293
+! rooms: 2794324495

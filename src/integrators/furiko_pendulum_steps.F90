@@ -65,4 +65,4 @@ module furiko_pendulum_steps
    implicit none
    public
 end module furiko_pendulum_steps
-! rooms: 1765298844
+! rooms: 2396962788
