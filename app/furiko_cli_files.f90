@@ -10,6 +10,7 @@ module furiko_cli_files
       c_ptr, c_size_t
    use furiko_cli_io, only : c_fflush, fail, finish, put, quit, say_why
    use furiko_cli_process, only : defer_signals, deliver_signals
+   use furiko_cli_text, only : append_to
    implicit none
    private
    public :: output, open_output, is_taken, folder_of, name_of
@@ -224,12 +225,8 @@ contains
    subroutine add(self, text)
       class(output), intent(inout) :: self
       character(len=*), intent(in) :: text
-      integer :: length
 
-      length = self%length + len(text)
-      if (length > len(self%text)) self%text = self%text // repeat(' ', length)
-      self%text(self%length + 1:length) = text
-      self%length = length
+      call append_to(self%text, self%length, text)
    end subroutine add
 
 

@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: MIT
 
-!> Words: parts replaced, lists taken apart, whole numbers, and what was meant by a misspelt word.
+!> Words: texts that grow, parts replaced, lists taken apart, whole numbers, and what was meant by a
+!> misspelt word.
 module furiko_cli_text
    use, intrinsic :: iso_fortran_env, only : int32, int64
    implicit none
    private
-   public :: cut, replaced, suggestion, whole_text
+   public :: append_to, cut, replaced, suggestion, whole_text
 
 
    !> A whole number, without blanks
@@ -16,6 +17,24 @@ module furiko_cli_text
 
 
 contains
+
+
+   !> Add to the first `length` characters of a text, which gets longer where it has no room. Joining long
+   !> texts by // costs a copy each time, and flang makes that on the stack.
+   pure subroutine append_to(text, length, more)
+      character(len=:), allocatable, intent(inout) :: text
+      integer, intent(inout) :: length
+      character(len=*), intent(in) :: more
+      character(len=:), allocatable :: longer
+
+      if (length + len(more) > len(text)) then
+         allocate(character(len=2*(length + len(more))) :: longer)
+         longer(:length) = text(:length)
+         call move_alloc(longer, text)
+      end if
+      text(length + 1:length + len(more)) = more
+      length = length + len(more)
+   end subroutine append_to
 
 
    !> Cut off what stands before the first of a mark, and that; all where there is none.

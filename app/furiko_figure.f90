@@ -7,7 +7,7 @@
 !> notes, and is closed (`plot`), when every label finds a place beside its curve that nothing crosses.
 module furiko_figure
    use, intrinsic :: iso_fortran_env, only : wp => real64
-   use furiko_cli_text, only : replaced
+   use furiko_cli_text, only : append_to, replaced
    use furiko_figure_places, only : best_place, box, centred, dense, gap, stroke, width_of
    use furiko_figure_text, only : fixed, plain, ramp, significant, to_text
    implicit none
@@ -519,71 +519,68 @@ contains
    pure function csv(self) result(text)
       class(figure), intent(in) :: self
       character(len=:), allocatable :: text
-      integer :: i
+      integer :: i, length
 
-      text = 'curve'
+      text = ''
+      length = 0
+      call append_to(text, length, 'curve')
       do i = 1, size(self%columns)
-         text = text // ',' // trim(self%columns(i)%name)
+         call append_to(text, length, ',' // trim(self%columns(i)%name))
       end do
-      text = text // nl
+      call append_to(text, length, nl)
       do i = 1, size(self%curves)
-         if (i > 1) text = text // nl // nl
+         if (i > 1) call append_to(text, length, nl // nl)
          if (allocated(self%curves(i)%cells)) then
-            text = text // image_rows(self%curves(i))
+            call add_image_rows(self%curves(i), text, length)
          else
-            text = text // rows(self%curves(i))
+            call add_rows(self%curves(i), text, length)
          end if
       end do
+      text = text(:length)
    end function csv
 
 
    !> The cells of an image, from left to right and from below upwards
-   pure function image_rows(self) result(text)
+   pure subroutine add_image_rows(self, text, length)
       type(curve), intent(in) :: self
-      character(len=:), allocatable :: text
-      ! Of a real number and of a whole one, with their commas
-      integer, parameter :: widths(2) = [18, 12]
-      character(len=widths(1)) :: left(size(self%x)), up
-      character(len=:), allocatable :: row
-      integer :: i, j, k, length
+      character(len=:), allocatable, intent(inout) :: text
+      integer, intent(inout) :: length
+      ! Letters of a number
+      character(len=18) :: left(size(self%x)), up
+      integer :: i, j, k
 
       do i = 1, size(self%x)
          left(i) = to_text(self%x(i))
       end do
-      allocate(character(len=size(self%x)*size(self%y)*(len(self%name) + 2*widths(1) + &
-         size(self%cells, 3)*widths(2) + 1)) :: text)
-      length = 0
       do j = 1, size(self%y)
          up = to_text(self%y(j))
          do i = 1, size(self%x)
-            row = self%name // ',' // trim(left(i)) // ',' // trim(up)
+            call append_to(text, length, self%name // ',' // trim(left(i)) // ',' // trim(up))
             do k = 1, size(self%cells, 3)
-               row = row // ',' // to_text(self%cells(i, j, k))
+               call append_to(text, length, ',' // to_text(self%cells(i, j, k)))
             end do
-            text(length + 1:length + len(row) + 1) = row // nl
-            length = length + len(row) + 1
+            call append_to(text, length, nl)
          end do
       end do
-      text = text(:length)
-   end function image_rows
+   end subroutine add_image_rows
 
 
-   pure function rows(self) result(text)
+   pure subroutine add_rows(self, text, length)
       type(curve), intent(in) :: self
-      character(len=:), allocatable :: text
+      character(len=:), allocatable, intent(inout) :: text
+      integer, intent(inout) :: length
       integer :: i, j
 
-      text = ''
       do i = 1, size(self%points, 1)
          if (.not. is_line_break(self%points(i, 1))) then
-            text = text // self%name
+            call append_to(text, length, self%name)
             do j = 1, size(self%points, 2)
-               text = text // ',' // to_text(self%points(i, j))
+               call append_to(text, length, ',' // to_text(self%points(i, j)))
             end do
          end if
-         text = text // nl
+         call append_to(text, length, nl)
       end do
-   end function rows
+   end subroutine add_rows
 
 
    !> In place of a number: here a line is broken.

@@ -111,8 +111,7 @@ contains
       integer :: code
 
       ! A name that begins with $ is one of data in the script
-      call ask_gnuplot(self, script_of(self, content, title, '$data << END' // nl // &
-         data_of(self, content) // 'END' // nl // "data = '$data'"), drawn, said, code)
+      call ask_gnuplot(self, content, script_of(self, content, title, "data = '$data'"), drawn, said, code)
       if (code == not_found) call leave_for_later(self, content, title)
       if (self%keep) call keep_data(self, content, title)
       if (code /= 0 .or. index(tail(drawn, 16), trim(closings(self%form))) == 0) then
@@ -129,9 +128,10 @@ contains
    end subroutine draw
 
 
-   !> Run gnuplot on a script; `code` is its own or [[not_found]].
-   subroutine ask_gnuplot(self, script, drawn, said, code)
+   !> Run gnuplot on data, which it calls $data, and a script; `code` is its own or [[not_found]].
+   subroutine ask_gnuplot(self, content, script, drawn, said, code)
       type(picture), intent(in) :: self
+      type(figure), intent(in) :: content
       character(len=*), intent(in) :: script
       !> The picture
       character(len=:), allocatable, intent(out) :: drawn
@@ -146,7 +146,10 @@ contains
          streams(i) = nameless_file(folder_of(self%path))
          if (.not. c_associated(streams(i))) call fail('a temporary file')
       end do
-      if (.not. append_text(streams(1), script)) call fail('a temporary file')
+      ! One after the other, since flang joins texts on the stack, and data of an image would fill it
+      call put('$data << END' // nl // head_of(self, content))
+      call put(content%csv())
+      call put('END' // nl // script)
       call to_start(streams(1))
       ! A terminal of the user's that it does not have can crash gnuplot
       ignored = c_setenv('GNUTERM' // c_null_char, 'unknown' // c_null_char, 1_c_int)
@@ -155,6 +158,15 @@ contains
       if (code < 0) call fail(self%path)
       drawn = text_of(streams(2))
       said = text_of(streams(3))
+
+   contains
+
+      subroutine put(text)
+         character(len=*), intent(in) :: text
+
+         if (.not. append_text(streams(1), text)) call fail('a temporary file')
+      end subroutine put
+
    end subroutine ask_gnuplot
 
 
@@ -199,7 +211,8 @@ contains
       type(figure), intent(in) :: content
       character(len=*), intent(in) :: title
 
-      call self%data%add(data_of(self, content))
+      call self%data%add(head_of(self, content))
+      call self%data%add(content%csv())
       call self%script%add(script_of(self, content, title, 'set output ' // &
          quoted('./' // name_of(self%path)) // nl // 'data = ' // &
          quoted('./' // name_of(stem_of(self%path)) // '.csv')))
@@ -208,8 +221,8 @@ contains
    end subroutine keep_data
 
 
-   !> The data as a CSV file: what they are and which command makes them, then header and rows.
-   pure function data_of(self, content) result(text)
+   !> What stands above the data: what they are and which command makes them
+   pure function head_of(self, content) result(text)
       type(picture), intent(in) :: self
       type(figure), intent(in) :: content
       character(len=:), allocatable :: text
@@ -219,8 +232,7 @@ contains
       do i = 1, size(content%columns)
          text = text // '# ' // trim(content%columns(i)%name) // ': ' // trim(content%columns(i)%about) // nl
       end do
-      text = text // content%csv()
-   end function data_of
+   end function head_of
 
 
    !> The whole script.

@@ -576,7 +576,8 @@ contains
       character(len=*), parameter :: start = 'mkdir bin; printf "#!/bin/sh\n[ \"\$1\" = table ] && . ' // &
       'bin/it\n" ' // &
          '>bin/ensemble; chmod +x bin/ensemble; printf "\211HDF\r\n\032\nrest" >"it''s \$(touch y).h5"; '
-      character(len=*), parameter :: draw = 'PATH=$PWD/bin:$PATH furiko plot bifurcation --from ' // &
+      character(len=*), parameter :: draw = 'PATH=$PWD/bin:${others-$PATH} ' // &
+         'furiko plot bifurcation --from ' // &
          '"it''s \$(touch y).h5" -o x.svg; code=$?; rm -r bin *.h5; (exit $code)'
       character(len=:), allocatable :: errors, output
       integer :: code
@@ -585,7 +586,7 @@ contains
       call check(error, code == 2 .and. output == '' .and. errors == "oops: it's $(touch y).h5" // nl, &
          output // errors)
       if (allocated(error)) return
-      call run_inside(start // 'rm bin/ensemble; ' // draw, output, errors, code)
+      call run_inside(start // 'rm bin/ensemble; others=/usr/bin:/bin; ' // draw, output, errors, code)
       call check(error, code == 2 .and. output == '' .and. line_count(errors) == 1 .and. &
          index(errors, 'no ensemble here') > 0, output // errors)
       if (allocated(error) .or. .not. have_gnuplot()) return

@@ -25,7 +25,6 @@ ASSUMED = [
     ("spread", 0.01, "of the time", "standard deviation of the time that equal chunks take on equal sockets"),
     ("fork", 5e-6, "s", "until 64 threads have begun and ended a parallel loop"),
     ("latency", 2e-6, "s", "a short message, sent or received"),
-    ("network", 12.5e9, "bytes/s", "into a node: 100 Gbit/s"),
     ("writer", 2e9, "bytes/s", "one process into the file system"),
     ("target", 2.5e9, "bytes/s", "a storage target"),
     ("targets", 400, "", "of the file system, which so takes 1 TB/s"),
@@ -62,31 +61,24 @@ class Costs:
         self.bytes = {"bifurcation": 16 + 16 * PERIODS, "lyapunov": 36, "winding": 28}[subject]
 
 
-def messages_received():
-    """By the busiest process in a round: a + b log2(processes) + c for each process whose data it gathers. The three
-    are from the last three doublings."""
-    x, y, z = ((more - few) / 10 for *_, few, more in MEASURED["messages"][-3:])
-    c = ((z - y) - (y - x)) / 8
-    b = (y - x) - 8 * c
-    return z - 5 * b - 32 * c, b, c
+def messages_received(processes):
+    """By the busiest process in a round: it grows with the logarithm, as from 16 to 32"""
+    y, z = ((more - few) / 10 for *_, few, more in MEASURED["messages"][-2:])
+    return z + (z - y) * (math.log2(processes) - 5)
 
 
-def round_parts(costs, chunk, processes, everywhere, gatherers=None):
+def round_parts(costs, chunk, processes, everywhere):
     """Seconds of a round, by what takes them; `everywhere` are the processes of all parts, which share the file system"""
-    gatherers = gatherers or max(processes // 8, 1)
     targets = A["targets"] if processes == everywhere else A["stripes"]
     evenly = chunk * costs.member / A["cores"]
-    a, b, c = messages_received()
-    group = math.ceil(processes / gatherers)
     size = chunk * costs.bytes
     fsyncs = max(rest[-1] for (ranks, _), rest in rows_of("rounds").items() if ranks > 1)
-    pipe = min(gatherers * A["writer"], targets * A["target"], A["targets"] * A["target"] * processes / everywhere)
+    pipe = min(processes * A["writer"], targets * A["target"], A["targets"] * A["target"] * processes / everywhere)
     return {
         "computing, all threads even": evenly,
         "one thread alone": chunk * costs.alone + A["fork"],
         "waiting for the slowest process": evenly * A["spread"] * math.sqrt(2 * math.log(processes)),
-        "messages": (a + b * math.log2(processes) + c * group) * A["latency"] if processes > 1 else 0.0,
-        "gathering": (group - 1) * size / A["network"],
+        "messages": messages_received(processes) * A["latency"] if processes > 1 else 0.0,
         "writing": processes * size / pipe,
         "fsync": A["settle"] + fsyncs * processes / A["syncs"],
         "marks": 2 * A["settle"],

@@ -2,6 +2,7 @@
 
 !> Many processes, by MPI: `serial/` has the same names for one.
 module furiko_ensemble_communicator
+   use, intrinsic :: iso_c_binding, only : c_int
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5pset_dxpl_mpio_f, h5pset_fapl_mpio_f, h5fd_mpio_collective_f, hid_t
    use mpi_f08, only : mpi_abort, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, &
@@ -11,6 +12,19 @@ module furiko_ensemble_communicator
    private
    public :: access_together, begin_processes, broadcast, end_processes, give_up, highest, process, &
       processes, transfer_together, wait_for_all
+
+
+   interface
+      !> HDF5 has no Fortran name for this.
+      function set_collective_option(properties, option) result(failed) &
+         bind(c, name='H5Pset_dxpl_mpio_collective_opt')
+         import :: c_int, hid_t
+         implicit none
+         integer(hid_t), value :: properties
+         integer(c_int), value :: option
+         integer(c_int) :: failed
+      end function set_collective_option
+   end interface
 
 
 contains
@@ -84,11 +98,15 @@ contains
    end subroutine access_together
 
 
-   !> How data are written: by all processes in one go
+   !> How data are written: by all processes in one go, each its own, which lie side by side. Else MPI would
+   !> send them to a few processes, or to one, that write for all.
    subroutine transfer_together(properties, failed)
       integer(hid_t), intent(in) :: properties
       integer, intent(out) :: failed
+      ! H5FD_MPIO_INDIVIDUAL_IO
+      integer(c_int), parameter :: each_its_own = 1_c_int
 
       call h5pset_dxpl_mpio_f(properties, h5fd_mpio_collective_f, failed)
+      if (failed == 0) failed = set_collective_option(properties, each_its_own)
    end subroutine transfer_together
 end module furiko_ensemble_communicator
