@@ -15,6 +15,7 @@ module furiko_cli_files
    private
    public :: output, open_output, is_taken, folder_of, name_of
    public :: nameless_file, append_text, text_of, to_start, descriptor_of
+   public :: c_fclose, c_fopen
 
 
    character(len=*), parameter :: nul = c_null_char

@@ -6,7 +6,7 @@ module furiko_cli_source
    use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_null_char, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only : wp => real64
    use furiko_cli_fields, only : field, is_skipped, split
-   use furiko_cli_files, only : descriptor_of
+   use furiko_cli_files, only : c_fclose, c_fopen, descriptor_of
    use furiko_cli_input, only : line_input, longest_line
    use furiko_cli_io, only : cannot, quit, refuse
    use furiko_cli_number, only : is_right, read_number
@@ -48,21 +48,6 @@ module furiko_cli_source
 
 
    interface
-      function c_fopen(file, mode) result(stream) bind(c, name='fopen')
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: file(*)
-         character(kind=c_char), intent(in) :: mode(*)
-         type(c_ptr) :: stream
-      end function c_fopen
-
-      function c_fclose(stream) result(stat) bind(c, name='fclose')
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: stream
-         integer(c_int) :: stat
-      end function c_fclose
-
       function c_popen(command, mode) result(stream) bind(c, name='popen')
          import :: c_char, c_ptr
          implicit none

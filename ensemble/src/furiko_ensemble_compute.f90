@@ -42,7 +42,8 @@ contains
    end subroutine compute
 
 
-   !> Threads share groups of members, of which each makes all its points.
+   !> Threads share groups of members, of which each makes all its points: so states and numbers of a whole
+   !> chunk are never in memory both.
    subroutine compute_sections(asked, scheme, pendulum, state, results)
       type(sweep), intent(in) :: asked
       type(driven_scheme), intent(in) :: scheme
